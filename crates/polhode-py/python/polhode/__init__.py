@@ -180,8 +180,7 @@ __all__ = [
 
 
 def _named(public: type) -> None:
-    """Sets the public module name of a class and its methods, for error messages, pickling and
-    doctest."""
+    """Sets the public module name of a class and its methods, for messages and pickling."""
     public.__module__ = __name__
     for name, member in vars(public).items():
         if isinstance(member, _Function) and not name.startswith("_"):

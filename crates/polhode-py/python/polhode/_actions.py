@@ -40,8 +40,10 @@ Text = tuple[str, str, str, Placed]
 
 
 class Functions:
-    """Python functions of torques and event measures. Each is kept once, however many members use
-    it."""
+    """Python functions of torques and event measures.
+
+    Each is kept once, however many members use it.
+    """
 
     def __init__(self) -> None:
         self.native: tuple[list[Function], list[Measure]] = ([], [])

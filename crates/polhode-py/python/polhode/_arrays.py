@@ -31,8 +31,9 @@ INEXACT = "a float64 exactly: give a float, or an integer up to 2**53"
 
 
 def numbers(name: str, value: object, shape: tuple[int | str, ...]) -> Floats:
-    """Converts an argument to an array of numbers. In ``shape``, a number is a required length and
-    a letter is any length.
+    """Converts an argument to an array of numbers.
+
+    In ``shape``, a number is a required length and a letter is any length.
 
     >>> numbers("omega", [[1, 2, 3]], ("n", 3))
     array([[1., 2., 3.]])

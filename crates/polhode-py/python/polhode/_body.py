@@ -19,14 +19,14 @@ class Body(NoArray, Mapping[str, MassProperties]):
     Parameters
     ----------
     parts
-            Mass properties by name, each at its place in the body.
+        Mass properties by name, each at its place in the body.
 
     Raises
     ------
     PolhodeError
-            If there are no parts.
+        If there are no parts.
     TypeError
-            If a part is not :class:`MassProperties`, or a name is not text.
+        If a part is not :class:`MassProperties`, or a name is not text.
 
     Examples
     --------
@@ -74,43 +74,42 @@ class Body(NoArray, Mapping[str, MassProperties]):
         Parameters
         ----------
         position
-                New position of the body's origin (3,), m.
+            New position of the body's origin (3,), m.
         rotation
-                Rotation from present components to new ones: a quaternion (w, x, y, z), a matrix
-                (3, 3), or a ``scipy.spatial.transform.Rotation``.
+            Rotation from present components to new ones: a quaternion (w, x, y, z), a matrix (3,
+            3), or a ``scipy.spatial.transform.Rotation``.
 
         Returns
         -------
         Body
-                The moved parts, under the same names.
+            The moved parts, under the same names.
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
         """
         return Body({name: part.placed(position=position, rotation=rotation) for name, part in self._parts.items()})
 
     def derivatives(self, *, about: Mapping[str, npt.ArrayLike] | None = None) -> BodyDerivatives:
-        """Returns the derivatives of the body's mass properties by those of each part, in closed
-        form.
+        """Computes the derivatives of the mass properties by those of each part, in closed form.
 
         Parameters
         ----------
         about
-                Points (3,), m, about which parts rotate, by the names of the parts. The default is
-                the part's own centre of mass.
+            Points (3,), m, about which parts rotate, by the names of the parts. The default is the
+            part's own centre of mass.
 
         Returns
         -------
         BodyDerivatives
-                Arrays (10, n, …): derivatives by masses, densities, positions and rotations, and by
-                the parts' own mass properties.
+            Arrays (10, n, …): derivatives by masses, densities, positions and rotations, and by the
+            parts' own mass properties.
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------

@@ -128,8 +128,7 @@ class BudgetCase(Record):
 
     @property
     def covariance(self) -> Floats:
-        """Covariance (10, 10) of mass, centre of mass and the six elements of the tensor, to first
-        order."""
+        """Covariance (10, 10) of mass, centre of mass and six tensor elements, to first order."""
         return self.estimate.covariance
 
     @property
@@ -200,8 +199,7 @@ class Budget(NoArray, Printed):
 
     @property
     def covariance(self) -> Floats:
-        """Covariance (10, 10) of mass, centre of mass and the six elements of the tensor, to first
-        order."""
+        """Covariance (10, 10) of mass, centre of mass and six tensor elements, to first order."""
         return self.only.covariance
 
     @property
@@ -234,53 +232,52 @@ def budget(
     seed: int | None = None,
     configuration: str | None = None,
 ) -> Budget:
-    """Computes the mass properties of a parts list, with their uncertainty, as ``polhode budget``
-    does.
+    """Computes mass properties of a parts list, with their uncertainty (``polhode budget``).
 
     Arguments that are not given keep the values of the list.
 
     Parameters
     ----------
     parts
-            A path; the text of a CSV, a ``str`` of more than one line; or a table. A table is a
-            dataframe of pandas or Polars, a table of PyArrow, or a dictionary of columns. Its
-            columns have the names and units of the CSV headings: ``"mass [g]"``. ``None`` and NaN
-            are empty cells. The book's ``budget-file.md`` lists all columns.
+        A path; the text of a CSV, a ``str`` of more than one line; or a table. A table is a
+        dataframe of pandas or Polars, a table of PyArrow, or a dictionary of columns. Its columns
+        have the names and units of the CSV headings: ``"mass [g]"``. ``None`` and NaN are empty
+        cells. The book's ``budget-file.md`` lists all columns.
     plan
-            Settings that go with a table: title, growth, groups and limits, with the keys of the
-            head of a CSV.
+        Settings that go with a table: title, growth, groups and limits, with the keys of the head
+        of a CSV.
     basis
-            Masses that count: ``"basic"``, as known today, or ``"predicted"``, with their growth
-            allowance.
+        Masses that count: ``"basic"``, as known today, or ``"predicted"``, with their growth
+        allowance.
     about
-            Additional reference point (3,) for the inertia tensor, m.
+        Additional reference point (3,) for the inertia tensor, m.
     axes
-            Additional axes for the inertia tensor, the columns of a rotation matrix (3, 3). Tilts
-            are measured from them.
+        Additional axes for the inertia tensor, the columns of a rotation matrix (3, 3). Tilts are
+        measured from them.
     draws
-            Number of random bodies to draw: 0, or at least 10. The default is 10,000, fewer for
-            long lists.
+        Number of random bodies to draw: 0, or at least 10. The default is 10,000, fewer for long
+        lists.
     seed
-            Seed of the random draws.
+        Seed of the random draws.
     configuration
-            Name of the only configuration to compute. The default is all configurations.
+        Name of the only configuration to compute. The default is all configurations.
 
     Returns
     -------
     Budget
-            Mass properties with covariance, limits, and contributions to the variance, for each
-            configuration.
+        Mass properties with covariance, limits, and contributions to the variance, for each
+        configuration.
 
     Raises
     ------
     PolhodeError
-            If the list cannot be read or a part is not physical. The message names the place in the
-            file, or the row of the table.
+        If the list cannot be read or a part is not physical. The message names the place in the
+        file, or the row of the table.
 
     Warns
     -----
     PolhodeWarning
-            For each finding: a limit that is not met, a row that is too heavy, undetermined axes.
+        For each finding: a limit that is not met, a row that is too heavy, undetermined axes.
 
     Examples
     --------

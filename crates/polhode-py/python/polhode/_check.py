@@ -39,8 +39,10 @@ class ModelFinding(NamedTuple):
 
 
 class CheckReport:
-    """Findings about a model, in the order of the file. The report is a sequence of
-    ``findings``."""
+    """Findings about a model, in the order of the file.
+
+    The report is a sequence of ``findings``.
+    """
 
     def __init__(self, path: str, report: dict[str, Any], text: str, table: str) -> None:
         self.path = path
@@ -64,8 +66,10 @@ class CheckReport:
         return copy.deepcopy(self._report)
 
     def table(self) -> str:
-        """Returns a text table with a line for each link: mass, centre, principal moments,
-        equivalent box, density, verdict."""
+        """Returns a text table with a line for each link.
+
+        The columns are mass, centre, principal moments, equivalent box, density and verdict.
+        """
         return self._table
 
     def __eq__(self, other: object) -> bool:
@@ -104,19 +108,19 @@ def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str
     Parameters
     ----------
     path
-            Path of the model file.
+        Path of the model file.
     roots
-            Folders that contain the packages to which the model refers.
+        Folders that contain the packages to which the model refers.
 
     Returns
     -------
     CheckReport
-            Findings, each with its link, its rule and its place in the file.
+        Findings, each with its link, its rule and its place in the file.
 
     Raises
     ------
     PolhodeError
-            If the file is not a robot model.
+        If the file is not a robot model.
 
     Examples
     --------

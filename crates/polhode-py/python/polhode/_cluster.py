@@ -21,8 +21,10 @@ Part = TypeVar("Part")
 
 
 class Watch:
-    """Counts a cluster's workers while no results arrive. Warns if there are none, and gives up
-    after ``timeout`` seconds without any."""
+    """Counts a cluster's workers while no results arrive.
+
+    Warns if there are none, and gives up after ``timeout`` seconds without any.
+    """
 
     def __init__(self, on: str, timeout: float | None, workers: Callable[[], int]) -> None:
         self.on = on

@@ -117,8 +117,10 @@ class State(NamedTuple):
 
 
 class Turned:
-    """Attitude of one body, or rows of attitudes of many. It takes body components to space
-    components."""
+    """Attitude of one body, or rows of attitudes of many.
+
+    It takes body components to space components.
+    """
 
     def __init__(self, quaternion: Floats) -> None:
         self._quaternion = quaternion

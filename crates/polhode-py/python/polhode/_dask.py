@@ -33,8 +33,10 @@ LOCAL = {
 
 
 def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout: float | None) -> Iterator[Done]:
-    """Yields the missing parts as they are done. Dask computes a part again if its worker is
-    lost."""
+    """Yields the missing parts as they are done.
+
+    Dask computes a part again if its worker is lost.
+    """
     on = f"dask://{address}"
     with _client(address, workers) as client:
         watch = Watch(on, worker_timeout, lambda: _workers(client, on))
@@ -70,8 +72,10 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
 
 
 def _result(future: Future, watch: Watch) -> Done:
-    """Returns the result of a finished future. If its worker is lost, Dask computes it again, and
-    there may be no other worker."""
+    """Returns the result of a finished future.
+
+    If its worker is lost, Dask computes it again, and there may be no other worker.
+    """
     while True:
         try:
             done: Done = future.result(timeout=LOOK)

@@ -138,32 +138,31 @@ class Derivatives(Record):
         parameters: npt.ArrayLike | None = None,
         joint: npt.ArrayLike | None = None,
     ) -> Floats:
-        """Returns the covariance of the states (n, 6, 6), to first order: J C Jᵀ, in the order of
-        :attr:`rows`.
+        """Computes the covariance J C Jᵀ of the states, to first order.
 
         Parameters
         ----------
         start
-                Covariance (6, 6) of θ and ω at the start, in the order of :attr:`start_columns`.
-                The default is an exact start.
+            Covariance (6, 6) of θ and ω at the start, in the order of :attr:`start_columns`. The
+            default is an exact start.
         inertia
-                Covariance (6, 6) of the elements of the tensor, in the order of
-                :attr:`inertia_columns`. The default is an exact tensor.
+            Covariance (6, 6) of the elements of the tensor, in the order of
+            :attr:`inertia_columns`. The default is an exact tensor.
         parameters
-                Covariance (p, p) of the parameters. The default is exact parameters.
+            Covariance (p, p) of the parameters. The default is exact parameters.
         joint
-                Joint covariance (12 + p, 12 + p) of start, inertia and parameters, instead of the
-                three, which are treated as independent.
+            Joint covariance (12 + p, 12 + p) of start, inertia and parameters, instead of the
+            three, which are treated as independent.
 
         Returns
         -------
         array (n, 6, 6)
-                Covariances of θ and ω; for a single time (6, 6).
+            Covariances of θ and ω, in the order of :attr:`rows`; for a single time (6, 6).
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------

@@ -31,45 +31,44 @@ class Ensemble:
     Parameters
     ----------
     body
-            :class:`MassProperties` or :class:`Body` of the n members. In this and the following
-            arguments, a value that all members share may be given once.
+        :class:`MassProperties` or :class:`Body` of the n members. In this and the following
+        arguments, a value that all members share may be given once.
     omega
-            Angular velocities at t = 0 (n, 3), body axes, rad/s.
+        Angular velocities at t = 0 (n, 3), body axes, rad/s.
     moments
-            Instead of ``body``, if mass and centre of mass do not matter: moments (n, 3) about the
-            axes x, y and z, kg·m².
+        Instead of ``body``, if mass and centre of mass do not matter: moments (n, 3) about the axes
+        x, y and z, kg·m².
     inertia
-            Instead of ``body``: tensors (n, 3, 3) about the centres of mass, kg·m². Mass properties
-            are also accepted, as in ``body``.
+        Instead of ``body``: tensors (n, 3, 3) about the centres of mass, kg·m². Mass properties are
+        also accepted, as in ``body``.
     pivot
-            Fixed points of the bodies (n, 3), body axes, m. Without a pivot here or in
-            :class:`polhode.scenario.Gravity`, the bodies are free.
+        Fixed points of the bodies (n, 3), body axes, m. Without a pivot here or in
+        :class:`polhode.scenario.Gravity`, the bodies are free.
     attitude
-            Attitudes at t = 0, which take body components to space components: quaternions (n, 4),
-            matrices (n, 3, 3), or a ``scipy.spatial.transform.Rotation`` of n.
+        Attitudes at t = 0, which take body components to space components: quaternions (n, 4),
+        matrices (n, 3, 3), or a ``scipy.spatial.transform.Rotation`` of n.
     torques
-            Torques of :mod:`polhode.scenario`, all of which act on each member; or a text of
-            ``[[torque]]`` tables, as in scenario files; or a list of n such lists, one for each
-            member. A :class:`polhode.scenario.FunctionTorque` is called for one member at a time.
-            If it is ``vectorized``, it is called once for all members at each stage of their steps.
-            Its exceptions are raised here, because it is called once at the start, or by
-            :meth:`at`.
+        Torques of :mod:`polhode.scenario`, all of which act on each member; or a text of
+        ``[[torque]]`` tables, as in scenario files; or a list of n such lists, one for each member.
+        A :class:`polhode.scenario.FunctionTorque` is called for one member at a time. If it is
+        ``vectorized``, it is called once for all members at each stage of their steps. Its
+        exceptions are raised here, because it is called once at the start, or by :meth:`at`.
     wheels
-            A list of :class:`polhode.scenario.Wheel`, all of which spin in each member, or a list
-            of n such lists.
+        A list of :class:`polhode.scenario.Wheel`, all of which spin in each member, or a list of n
+        such lists.
     events
-            A list of :class:`polhode.scenario.Event` to detect in each member, or a list of n such
-            lists. An event that stops a member stops no other. A member with events is computed
-            alone, as in :func:`simulate`, and a ``vectorized`` function is called for it alone. The
-            measure of an event may be a function, whose exceptions :meth:`at` raises.
+        A list of :class:`polhode.scenario.Event` to detect in each member, or a list of n such
+        lists. An event that stops a member stops no other. A member with events is computed alone,
+        as in :func:`simulate`, and a ``vectorized`` function is called for it alone. The measure of
+        an event may be a function, whose exceptions :meth:`at` raises.
     orbit
-            The :class:`polhode.scenario.Orbit` on which torques depend: one for all members, or a
-            list of n.
+        The :class:`polhode.scenario.Orbit` on which torques depend: one for all members, or a list
+        of n.
 
     Raises
     ------
     PolhodeError
-            If a body is not physical; the message names the member.
+        If a body is not physical; the message names the member.
 
     Examples
     --------
@@ -156,19 +155,19 @@ class Ensemble:
         Parameters
         ----------
         scenarios
-                Scenarios of the members.
+            Scenarios of the members.
 
         Returns
         -------
         Ensemble
-                Ensemble of bodies that are free or held at a pivot.
+            Ensemble of bodies that are free or held at a pivot.
 
         Raises
         ------
         PolhodeError
-                If a body is on the ground, in gimbals or on a shaft, if its mass changes, if its
-                motion is prescribed, or if a ``run`` has its own method or tolerance. The message
-                names the member.
+            If a body is on the ground, in gimbals or on a shaft, if its mass changes, if its motion
+            is prescribed, or if a ``run`` has its own method or tolerance. The message names the
+            member.
 
         Examples
         --------
@@ -209,21 +208,21 @@ class Ensemble:
         Parameters
         ----------
         times
-                Times (t,), s, ascending, none before the start.
+            Times (t,), s, ascending, none before the start.
         threads
-                Number of threads; the default is all processors available to this process.
+            Number of threads; the default is all processors available to this process.
         tolerance
-                Relative error tolerance per step, for members that are integrated.
+            Relative error tolerance per step, for members that are integrated.
 
         Returns
         -------
         EnsembleStates
-                Angular velocities (n, t, 3) and attitudes (n, t, 4), and the events.
+            Angular velocities (n, t, 3) and attitudes (n, t, 4), and the events.
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
         """
         asked = _arrays.numbers("times", times, ("t",))
         rows, failures, stops, happened = self._native.at(

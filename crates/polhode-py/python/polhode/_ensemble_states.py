@@ -99,8 +99,7 @@ class EnsembleStates(Table):
 
     @property
     def endings(self) -> list[Ending]:
-        """Ending of each member, as in :attr:`Motion.ending`: ``complete``, ``stopped`` or
-        ``failed``."""
+        """Ending of each member, ``complete``, ``stopped`` or ``failed``: see :class:`Ending`."""
         each = [Ending("complete", None, None)] * len(self)
         for stop in self.stops:
             each[stop.member] = Ending("stopped", stop.event, stop.time)
@@ -114,17 +113,17 @@ class EnsembleStates(Table):
         Parameters
         ----------
         name
-                Name of the event.
+            Name of the event.
 
         Returns
         -------
         array (n,)
-                Times, s; NaN for a member to which the event has not happened up to the last time.
+            Times, s; NaN for a member to which the event has not happened up to the last time.
 
         Raises
         ------
         TypeError
-                If the name is not text.
+            If the name is not text.
 
         Examples
         --------
@@ -149,17 +148,17 @@ class EnsembleStates(Table):
         Parameters
         ----------
         member
-                Index of the member, from 0.
+            Index of the member, from 0.
 
         Returns
         -------
         scipy.spatial.transform.Rotation
-                One rotation for each time, from body components to space components.
+            One rotation for each time, from body components to space components.
 
         Raises
         ------
         ImportError
-                If SciPy is not installed.
+            If SciPy is not installed.
         """
         return rotations(self.attitude[member])
 

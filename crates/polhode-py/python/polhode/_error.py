@@ -86,8 +86,7 @@ class PolhodeError(ValueError):
 
 
 class PolhodeWarning(UserWarning):
-    """An assumption or a correction that the user should know of, such as an assumed density or
-    reversed normals."""
+    """An assumption or a correction, such as an assumed density or reversed normals."""
 
 
 #: Folder of the package's own modules.

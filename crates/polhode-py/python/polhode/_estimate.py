@@ -131,8 +131,10 @@ class PrincipalEstimate(Record):
 
     @property
     def principal_rotation(self) -> Floats:
-        """Rotation matrix R_body_principal (3, 3): takes principal components to body components;
-        column ``k`` is the axis of ``moments[k]``."""
+        """Rotation matrix R_body_principal (3, 3), from principal to body components.
+
+        Column ``k`` is the axis of ``moments[k]``.
+        """
         return np.ascontiguousarray(self.axes.T)
 
     def ratios_in_words(self) -> str:

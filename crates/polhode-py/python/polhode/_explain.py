@@ -15,7 +15,10 @@ from ._scenario import Scenario, formula_source
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Explanation(Record):
-    """A worked solution: the body, its axes, the inertia tensor, Euler's equations, ω and the attitude, with every formula and number."""
+    """A worked solution, with every formula and number.
+
+    It covers the body, its axes, the inertia tensor, Euler's equations, ω and the attitude.
+    """
 
     #: Title of the solution.
     title: str
@@ -31,8 +34,10 @@ class Explanation(Record):
     _json: str
 
     def to_dict(self) -> dict[str, Any]:
-        """Returns the object that ``polhode explain --json`` prints: sections, formulas and tables
-        as data."""
+        """Returns the object that ``polhode explain --json`` prints.
+
+        It contains sections, formulas and tables as data.
+        """
         return dict(json.loads(self._json))
 
     def __repr__(self) -> str:
@@ -54,19 +59,18 @@ def explain(scenario: str | os.PathLike[str] | Scenario) -> Explanation:
     Parameters
     ----------
     scenario
-            A path, or a text of more than one line, as for :func:`simulate`, or a
-            :class:`Scenario`.
+        A path, or a text of more than one line, as for :func:`simulate`, or a :class:`Scenario`.
 
     Returns
     -------
     Explanation
-            The solution. A notebook shows it with its formulas.
+        The solution. A notebook shows it with its formulas.
 
     Raises
     ------
     PolhodeError
-            If the scenario cannot be read or computed, or has torques that are Python functions,
-            which have no known formula.
+        If the scenario cannot be read or computed, or has torques that are Python functions, which
+        have no known formula.
 
     Examples
     --------

@@ -8,8 +8,10 @@ from matplotlib.figure import Figure
 
 
 class ShownFigure(Figure):
-    """A figure with its own PNG representation. IPython shows Matplotlib figures only after
-    ``%matplotlib``."""
+    """A figure with its own PNG representation.
+
+    IPython shows Matplotlib figures only after ``%matplotlib``.
+    """
 
     def _repr_png_(self) -> bytes:
         png = io.BytesIO()

@@ -18,8 +18,9 @@ _GYRO, _ATTITUDE = "angular velocity along the sensor's axes, as it was read", "
 
 
 class Flights(Table):
-    """Flights of a body, in order. :func:`find_flights` returns them; :func:`identify_tumbles`
-    takes them.
+    """Flights of a body, in order.
+
+    :func:`find_flights` returns them, and :func:`identify_tumbles` takes them.
 
     ``flights[k]`` is a :class:`Flight`, and ``flights[2:5]`` is a :class:`Flights`. As a table they
     have a row for each time of each flight. Missing readings are NaN, and a quantity that no flight
@@ -28,12 +29,12 @@ class Flights(Table):
     Parameters
     ----------
     flights
-            The flights, each a :class:`Flight`.
+        The flights, each a :class:`Flight`.
 
     Raises
     ------
     TypeError
-            If an element is not a :class:`Flight`.
+        If an element is not a :class:`Flight`.
 
     Examples
     --------
@@ -190,24 +191,24 @@ def find_flights(
     Parameters
     ----------
     times, gyro
-            Times (n,), s, and angular velocities in sensor axes (n, 3), rad/s.
+        Times (n,), s, and angular velocities in sensor axes (n, 3), rad/s.
     slowest
-            Least angular speed during a flight, rad/s.
+        Least angular speed during a flight, rad/s.
     shortest
-            Least duration of a flight, s.
+        Least duration of a flight, s.
     torque
-            Greatest torque during a flight, relative to \\|I ω²\\|. The torque of a hand is about
-            as large as \\|I ω²\\|.
+        Greatest torque during a flight, relative to \\|I ω²\\|. The torque of a hand is about as
+        large as \\|I ω²\\|.
 
     Returns
     -------
     Flights
-            The flights in the order of time. Their names are their number and their first time.
+        The flights in the order of time. Their names are their number and their first time.
 
     Raises
     ------
     PolhodeError
-            If an argument is invalid; the message names the argument, the element and the rule.
+        If an argument is invalid; the message names the argument, the element and the rule.
 
     Examples
     --------

@@ -26,29 +26,28 @@ FEW = 2048
 
 
 class FreeMotion:
-    """The torque-free motion of a body: ω and attitude at any time, past or future, in constant
-    time.
+    """Torque-free motion of a body: ω and attitude at any time, computed in constant time.
 
     Parameters
     ----------
     omega
-            Angular velocity at t = 0 (3,), body axes, rad/s.
+        Angular velocity at t = 0 (3,), body axes, rad/s.
     moments
-            Moments (3,) about the body's axes x, y and z, kg·m².
+        Moments (3,) about the body's axes x, y and z, kg·m².
     inertia
-            Instead of ``moments``: a tensor (3, 3) about the centre of mass, kg·m²,
-            :class:`MassProperties`, or a :class:`Body`.
+        Instead of ``moments``: a tensor (3, 3) about the centre of mass, kg·m²,
+        :class:`MassProperties`, or a :class:`Body`.
     attitude
-            Rotation from body components to space components at t = 0: a quaternion (w, x, y, z), a
-            matrix (3, 3), or a ``scipy.spatial.transform.Rotation``. By default, body axes and
-            space axes coincide.
+        Rotation from body components to space components at t = 0: a quaternion (w, x, y, z), a
+        matrix (3, 3), or a ``scipy.spatial.transform.Rotation``. By default, body axes and space
+        axes coincide.
     allow_unphysical
-            If true, accepts unphysical moments, for which Euler's equations also have a solution.
+        If true, accepts unphysical moments, for which Euler's equations also have a solution.
 
     Raises
     ------
     PolhodeError
-            If the body is not physical, or the energy or L exceeds the range of float64.
+        If the body is not physical, or the energy or L exceeds the range of float64.
 
     Examples
     --------
@@ -94,8 +93,11 @@ class FreeMotion:
 
     @property
     def regime(self) -> str:
-        """Kind of motion: ``long_axis``, ``short_axis``, ``separatrix``, ``symmetric``,
-        ``permanent`` or ``at_rest``."""
+        """Kind of motion.
+
+        It is ``long_axis``, ``short_axis``, ``separatrix``, ``symmetric``, ``permanent`` or
+        ``at_rest``.
+        """
         return self._native.regime
 
     @property
@@ -105,8 +107,7 @@ class FreeMotion:
 
     @property
     def flip_interval(self) -> float | None:
-        """Interval between reversals of ω along the intermediate axis, s; ``None`` unless all
-        moments differ."""
+        """Time between flips of ω along the intermediate axis, s; ``None`` for equal moments."""
         return self._native.flip_interval
 
     @property
@@ -121,8 +122,10 @@ class FreeMotion:
 
     @property
     def growth_rate(self) -> float | None:
-        """Growth rate of a deviation from rotation about the intermediate axis, 1/s, if ω is near
-        that axis."""
+        """Growth rate of a deviation from rotation about the intermediate axis, 1/s.
+
+        It is ``None`` unless ω is near that axis.
+        """
         return self._optional("growth_rate_per_s")
 
     @property
@@ -148,7 +151,10 @@ class FreeMotion:
 
     @property
     def axes(self) -> Floats:
-        """Principal axes as rows (3, 3): ``axes[k]`` is a unit vector in body components and belongs to ``moments[k]``."""
+        """Principal axes as rows (3, 3).
+
+        ``axes[k]`` is the unit vector of ``moments[k]`` in body components.
+        """
         return self._native.axes
 
     @property
@@ -168,21 +174,19 @@ class FreeMotion:
         times
             Times (n,), s, or a single one.
         out
-                Two C-contiguous float64 arrays, (n, 3) and (n, 4), to fill and return, so that
-                their memory is reused. They must not share memory with each other or with the
-                times.
+            Two C-contiguous float64 arrays, (n, 3) and (n, 4), to fill and return, so that their
+            memory is reused. They must not share memory with each other or with the times.
 
         Returns
         -------
         States
-                Angular velocities (n, 3) and attitudes (n, 4), unit quaternions of which the first
-                has w ≥ 0. For a single time, (3,) and (4,).
+            Angular velocities (n, 3) and attitudes (n, 4), unit quaternions of which the first has
+            w ≥ 0. For a single time, (3,) and (4,).
 
         Raises
         ------
         PolhodeError
-                If the attitude at a time is too far away to be known; the message names the first
-                such time.
+            If a time is too far away for the attitude to be known; the message names the first one.
 
         Examples
         --------
@@ -218,26 +222,25 @@ class FreeMotion:
             raise
 
     def derivatives(self, times: npt.ArrayLike) -> Derivatives:
-        """Computes the states with their derivatives by the start and the inertia tensor, in closed
-        form.
+        """Computes the states with their derivatives by the start and the tensor, in closed form.
 
         Parameters
         ----------
         times
-                Times (n,), s, in any order, also before the start; or a single time.
+            Times (n,), s, in any order, also before the start; or a single time.
 
         Returns
         -------
         Derivatives
-                Arrays (n, 6, 6) with the names of their rows and columns, and the propagation of
-                covariances.
+            Arrays (n, 6, 6) with the names of their rows and columns, and the propagation of
+            covariances.
 
         Raises
         ------
         PolhodeError
-                If the derivatives do not exist: for unphysical moments (``allow_unphysical``), for
-                moments of which one is less than 1e-8 of the greatest, and where derivatives exceed
-                the range of float64, next to the intermediate axis.
+            If the derivatives do not exist: for unphysical moments (``allow_unphysical``), for
+            moments of which one is less than 1e-8 of the greatest, and where derivatives exceed the
+            range of float64, next to the intermediate axis.
 
         Examples
         --------
@@ -255,8 +258,7 @@ class FreeMotion:
         return derivatives_of(derived, single=given.ndim == 0)
 
     def error(self, times: npt.ArrayLike) -> MotionError:
-        """Estimates the errors of the states at times (n,), s: those of the formulas, and those due
-        to input rounding.
+        """Estimates the errors of the states: those of the formulas, and those of input rounding.
 
         Parameters
         ----------
@@ -266,13 +268,13 @@ class FreeMotion:
         Returns
         -------
         MotionError
-                Four arrays (n,): errors of attitude and ω, due to the computation and due to input
-                rounding.
+            Four arrays (n,): errors of attitude and ω, due to the computation and due to input
+            rounding.
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------
@@ -295,14 +297,14 @@ class FreeMotion:
         Returns
         -------
         scipy.spatial.transform.Rotation
-                One rotation for each time, from body components to space components.
+            One rotation for each time, from body components to space components.
 
         Raises
         ------
         PolhodeError
-                As for :meth:`at`.
+            As for :meth:`at`.
         ImportError
-                If SciPy is not installed.
+            If SciPy is not installed.
 
         Examples
         --------
@@ -321,17 +323,17 @@ class FreeMotion:
         Parameters
         ----------
         duration
-                Duration of the motion shown, s. The default is some periods.
+            Duration of the motion shown, s. The default is some periods.
 
         Returns
         -------
         str
-                Self-contained HTML.
+            Self-contained HTML.
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
         """
         return self._native.page(self._sensible() if duration is None else _arrays.positive("duration", duration))
 

@@ -12,8 +12,10 @@ def number(value: float) -> str:
 
 
 def rows(head: Iterable[str], body: Iterable[tuple[str, Iterable[str]]]) -> str:
-    """Returns an HTML table with column headings and a heading for each row. All cells are escaped
-    text."""
+    """Returns an HTML table with column headings and a heading for each row.
+
+    All cells are escaped text.
+    """
     heads = "".join(f"<th>{escape(cell)}</th>" for cell in head)
     lines = "".join(
         f"<tr><th>{escape(name)}</th>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells) + "</tr>" for name, cells in body

@@ -96,8 +96,10 @@ class TumbleResult(Identified):
 
     @property
     def inertia(self) -> Floats:
-        """Inertia tensor (3, 3) about the centre of mass, sensor axes, kg·m², or relative to the
-        greatest moment."""
+        """Inertia tensor (3, 3) about the centre of mass, sensor axes.
+
+        Its unit is kg·m² if ``scale_is_known``; otherwise it is relative to the greatest moment.
+        """
         return _tensor(self.estimate.values[:6])
 
     def _summary(self) -> str:

@@ -16,32 +16,31 @@ from ._mass_properties import warn_of
 
 
 def identify(plan: str | os.PathLike[str] | Mapping[str, object]) -> TumbleResult | SwingResult | PayloadResult:
-    """Estimates a body's mass properties from measurements of its motion, as ``polhode identify``
-    does.
+    """Estimates a body's mass properties from its measured motion (``polhode identify``).
 
     Parameters
     ----------
     plan
-            A path; the text of a plan, a ``str`` of more than one line; or the plan as a
-            dictionary, whose arrays may be NumPy arrays. Paths in a text or a dictionary are
-            relative to the current folder. The book's ``identify.md`` lists all keys.
+        A path; the text of a plan, a ``str`` of more than one line; or the plan as a dictionary,
+        whose arrays may be NumPy arrays. Paths in a text or a dictionary are relative to the
+        current folder. The book's ``identify.md`` lists all keys.
 
     Returns
     -------
     TumbleResult, SwingResult or PayloadResult
-            The type depends on the plan's table: ``[tumble]``, ``[swing]`` or ``[payload]``.
+        The type depends on the plan's table: ``[tumble]``, ``[swing]`` or ``[payload]``.
 
     Raises
     ------
     PolhodeError
-            If the plan or a log cannot be read (the message names the place), if there are too few
-            data for the requested numbers, or if rates are in a different unit.
+        If the plan or a log cannot be read (the message names the place), if there are too few data
+        for the requested numbers, or if rates are in a different unit.
 
     Warns
     -----
     PolhodeWarning
-            For each finding: residuals that are more than noise, excluded readings, undetermined
-            numbers.
+        For each finding: residuals that are more than noise, excluded readings, undetermined
+        numbers.
 
     See Also
     --------
@@ -102,34 +101,33 @@ def identify_tumbles(
     Parameters
     ----------
     flights
-            One or several flights of the same body, with the sensor fixed to it.
+        One or several flights of the same body, with the sensor fixed to it.
     bias, scale, skew, clock
-            Parameters of the gyro to estimate with the body: reading = (1 + S) ω(t + τ) + b.
-            ``bias`` is b, ``scale`` the diagonal of S, ``skew`` the other elements of S, ``clock``
-            τ relative to the clock of the attitudes.
+        Parameters of the gyro to estimate with the body: reading = (1 + S) ω(t + τ) + b. ``bias``
+        is b, ``scale`` the diagonal of S, ``skew`` the other elements of S, ``clock`` τ relative to
+        the clock of the attitudes.
     gyro_noise
-            Standard deviation of a component, rad/s. By default it is estimated from the readings.
+        Standard deviation of a component, rad/s. By default it is estimated from the readings.
     attitude_noise
-            Standard deviation of a component of the attitudes, rad. Required if there are
-            attitudes.
+        Standard deviation of a component of the attitudes, rad. Required if there are attitudes.
     drag
-            ``"linear"`` or ``"quadratic"``: a drag matrix is estimated with the body.
+        ``"linear"`` or ``"quadratic"``: a drag matrix is estimated with the body.
     outlier
-            Threshold in standard deviations beyond which a reading is excluded. Excluded readings
-            are counted.
+        Threshold in standard deviations beyond which a reading is excluded. Excluded readings are
+        counted.
     title
-            Title of the reports.
+        Title of the reports.
 
     Returns
     -------
     TumbleResult
-            Estimates with their uncertainty, and the residuals.
+        Estimates with their uncertainty, and the residuals.
 
     Raises
     ------
     PolhodeError
-            If an argument is invalid, or no physical body fits. The message names the argument and
-            the reason.
+        If an argument is invalid, or no physical body fits. The message names the argument and the
+        reason.
 
     Examples
     --------
@@ -177,35 +175,34 @@ def identify_swings(
     gravity: object = None,
     title: str | None = None,
 ) -> SwingResult:
-    """Estimates the inertia tensor of a body from the periods of its swings on wires or about an
-    axis.
+    """Estimates the inertia tensor of a body from its swings on wires or about an axis.
 
     Parameters
     ----------
     mass, center
-            Mass of the body, and its centre of mass (3), body axes. Here and in tests, an exact
-            quantity is a number in SI units or a text with its unit. A measured quantity is
-            ``{"value": "3.2 kg", "sd": "1 g"}``, and an unknown one ``{"about": "3 kg"}``.
+        Mass of the body, and its centre of mass (3), body axes. Here and in tests, an exact
+        quantity is a number in SI units or a text with its unit. A measured quantity is
+        ``{"value": "3.2 kg", "sd": "1 g"}``, and an unknown one ``{"about": "3 kg"}``.
     tests
-            Tests, each a dictionary with the keys of a ``[[swing.test]]`` of a plan. The book's
-            ``identify-swing.md`` lists the keys.
+        Tests, each a dictionary with the keys of a ``[[swing.test]]`` of a plan. The book's
+        ``identify-swing.md`` lists the keys.
     numbers
-            Quantities that tests share, by the names that the tests use.
+        Quantities that tests share, by the names that the tests use.
     gravity
-            Gravitational acceleration. The default is exactly 9.80665 m/s².
+        Gravitational acceleration. The default is exactly 9.80665 m/s².
     title
-            Title of the reports.
+        Title of the reports.
 
     Returns
     -------
     SwingResult
-            Estimates with their uncertainty, and the residuals.
+        Estimates with their uncertainty, and the residuals.
 
     Raises
     ------
     PolhodeError
-            If an argument is invalid, or no physical body fits. The message names the argument and
-            the reason.
+        If an argument is invalid, or no physical body fits. The message names the argument and the
+        reason.
 
     Examples
     --------
@@ -279,40 +276,40 @@ def identify_payload(
     omega, alpha
         Angular velocity of the sensor (n, 3), rad/s, and its derivative (n, 3), rad/s².
     acceleration
-            Acceleration of the sensor's origin (n, 3), m/s²: zero at rest.
+        Acceleration of the sensor's origin (n, 3), m/s²: zero at rest.
     gravity
-            Acceleration of free fall, pointing down, m/s²: (n, 3) in sensor axes; or, with
-            ``attitude``, (3,) in space axes; or (3,) zeros.
+        Acceleration of free fall, pointing down, m/s²: (n, 3) in sensor axes; or, with
+        ``attitude``, (3,) in space axes; or (3,) zeros.
     attitude
-            With ``gravity`` (3,): attitudes of the sensor as quaternions (n, 4), w, x, y, z, or
-            matrices (n, 3, 3), from the sensor to space, or a ``Rotation`` of n.
+        With ``gravity`` (3,): attitudes of the sensor as quaternions (n, 4), w, x, y, z, or
+        matrices (n, 3, 3), from the sensor to space, or a ``Rotation`` of n.
     force, torque
-            Measured force and torque (n, 3), N and N·m.
+        Measured force and torque (n, 3), N and N·m.
     wrench
-            Body on which the wrench acts: ``"on_sensor"``, whose force at rest points down, as for
-            a scale, or ``"on_payload"``.
+        Body on which the wrench acts: ``"on_sensor"``, whose force at rest points down, as for a
+        scale, or ``"on_payload"``.
     bias
-            If true, a constant bias of the sensor is estimated too.
+        If true, a constant bias of the sensor is estimated too.
     force_noise, torque_noise, wrench_covariance
-            Standard deviations of a component, both; or the covariance (6, 6) of fx, fy, fz, τx,
-            τy, τz. By default, the noise is estimated from the residuals.
+        Standard deviations of a component, both; or the covariance (6, 6) of fx, fy, fz, τx, τy,
+        τz. By default, the noise is estimated from the residuals.
     omega_noise, alpha_noise, acceleration_noise
-            Standard deviations of a component of the motion, if it is noisy.
+        Standard deviations of a component of the motion, if it is noisy.
     kind
-            Known shape of the payload: ``"plate"`` or ``"rod"``.
+        Known shape of the payload: ``"plate"`` or ``"rod"``.
     title
-            Title of the reports.
+        Title of the reports.
 
     Returns
     -------
     PayloadResult
-            Estimates with their uncertainty, and the residuals.
+        Estimates with their uncertainty, and the residuals.
 
     Raises
     ------
     PolhodeError
-            If an argument is invalid, or no physical body fits. The message names the argument and
-            the reason.
+        If an argument is invalid, or no physical body fits. The message names the argument and the
+        reason.
 
     Examples
     --------

@@ -80,74 +80,72 @@ def inertia(
     Parameters
     ----------
     source
-            A path; an open file; ``(vertices, triangles)``; an object with ``vertices`` and
-            ``faces``, such as a ``trimesh.Trimesh`` (in its ``units``, if it has any); or triangles
-            (n, 3, 3) given by their corners.
+        A path; an open file; ``(vertices, triangles)``; an object with ``vertices`` and ``faces``,
+        such as a ``trimesh.Trimesh`` (in its ``units``, if it has any); or triangles (n, 3, 3)
+        given by their corners.
     density, mass, material, parts, field, tolerance, unit, hull, shell, weld, fill, union
-            Options for meshes; some also apply to other files.
+        Options for meshes; some also apply to other files.
     mass_unit, products, decimal, isotopes, molecule, spacing, origin, per_value, link, subtree, joints
-            Options for other files. The notes list the options of each kind of file. Any other
-            option is refused.
+        Options for other files. The notes list the options of each kind of file. Any other option
+        is refused.
     kind
-            Kind of the file, if its extension does not determine it: a name in the notes.
+        Kind of the file, if its extension does not determine it: a name in the notes.
     format
-            Extension that the name of an open file would have, if it has no name.
+        Extension that the name of an open file would have, if it has no name.
 
     Returns
     -------
     MassProperties
-            Mass properties about the centre of mass, along the axes of the file. Assumptions and
-            corrections are reported as :class:`PolhodeWarning` and in ``findings``.
+        Mass properties about the centre of mass, along the axes of the file. Assumptions and
+        corrections are reported as :class:`PolhodeWarning` and in ``findings``.
 
     Raises
     ------
     PolhodeError
-            If a file cannot be read (the error has ``path``, ``line`` and ``column``), a mesh is
-            not closed, or an argument does not apply to the source.
+        If a file cannot be read (the error has ``path``, ``line`` and ``column``), a mesh is not
+        closed, or an argument does not apply to the source.
     OSError
-            If a file does not exist or cannot be opened.
+        If a file does not exist or cannot be opened.
 
     Notes
     -----
     ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf .dae)
-            ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one. ``parts`` sets a
-            different material for parts by name: ``{"wheel": "steel", "hub": {"mass": 0.25}}``.
-            ``field`` is the density in kg/m³ as a formula of x, y and z in m, such as
-            ``"2700 - 300*hypot(x, y)"``, integrated until the estimated relative error is below
-            ``tolerance`` (1e-10). ``unit`` is the unit of length, as ``"mm"`` or in m.
-            ``hull=True`` replaces the mesh by its convex hull. ``shell`` makes it a sheet of that
-            thickness, m. Arrays: vertices (n, 3), m unless ``unit`` is given, and the indices from
-            0 of three vertices for each triangle (m, 3), counter-clockwise as seen from outside.
-            ``weld`` joins vertices of open edges up to that distance apart, and ``fill`` then
-            closes holes up to that width: lengths such as ``"0.01 mm"``, or plain numbers,
-            fractions of the diagonal of the mesh's bounding box. Repairs and their possible effect
-            are reported as a warning and in ``to_dict()["source"]``. ``union=True`` counts
-            overlapping volumes once, within a part and between parts.
+        ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one. ``parts`` sets a different
+        material for parts by name: ``{"wheel": "steel", "hub": {"mass": 0.25}}``. ``field`` is the
+        density in kg/m³ as a formula of x, y and z in m, such as ``"2700 - 300*hypot(x, y)"``,
+        integrated until the estimated relative error is below ``tolerance`` (1e-10). ``unit`` is
+        the unit of length, as ``"mm"`` or in m. ``hull=True`` replaces the mesh by its convex hull.
+        ``shell`` makes it a sheet of that thickness, m. Arrays: vertices (n, 3), m unless ``unit``
+        is given, and the indices from 0 of three vertices for each triangle (m, 3),
+        counter-clockwise as seen from outside. ``weld`` joins vertices of open edges up to that
+        distance apart, and ``fill`` then closes holes up to that width: lengths such as
+        ``"0.01 mm"``, or plain numbers, fractions of the diagonal of the mesh's bounding box.
+        Repairs and their possible effect are reported as a warning and in ``to_dict()["source"]``.
+        ``union=True`` counts overlapping volumes once, within a part and between parts.
     ``step`` (.step .stp, ISO 10303-21)
-            ``density``, ``mass`` or ``material``. OpenCASCADE computes the exact solids, each of
-            them a part; install it with ``pip install cadquery-ocp`` (the extra ``step``). Lengths
-            are in the file's unit. Volumes that solids share count for each of them; overlap is not
-            detected.
+        ``density``, ``mass`` or ``material``. OpenCASCADE computes the exact solids, each of them a
+        part; install it with ``pip install cadquery-ocp`` (the extra ``step``). Lengths are in the
+        file's unit. Volumes that solids share count for each of them; overlap is not detected.
     ``scenario`` (.toml)
-            No options: a scenario is complete.
+        No options: a scenario is complete.
     ``particles`` (.csv)
-            ``unit`` and ``mass_unit`` if the header has none; ``mass``, the total mass of points
-            without masses.
+        ``unit`` and ``mass_unit`` if the header has none; ``mass``, the total mass of points
+        without masses.
     ``molecule`` (.xyz .mol .sdf .pdb)
-            ``isotopes``: ``"abundant"`` (default) or ``"average"``; ``molecule``: index of one of
-            several molecules, from 0.
+        ``isotopes``: ``"abundant"`` (default) or ``"average"``; ``molecule``: index of one of
+        several molecules, from 0.
     ``voxels`` (.npy .nrrd)
-            ``spacing`` and ``origin`` (3,), m, and ``unit``, if the file lacks them; ``per_value``,
-            the density for a value of 1, kg/m³.
+        ``spacing`` and ``origin`` (3,), m, and ``unit``, if the file lacks them; ``per_value``, the
+        density for a value of 1, kg/m³.
     ``cad`` (.txt, a CAD program's report)
-            ``products`` ``"negative"`` or ``"positive"``, ``decimal`` ``"point"`` or ``"comma"``,
-            ``unit``, ``mass_unit``, if the report is ambiguous.
+        ``products`` ``"negative"`` or ``"positive"``, ``decimal`` ``"point"`` or ``"comma"``,
+        ``unit``, ``mass_unit``, if the report is ambiguous.
     ``robot`` (.urdf, .usda, .osim, or .sdf and .xml of a model)
-            ``link``, the name of a link, in its own frame; or ``subtree``, the name of a link whose
-            descendants are included, in the frame of that link. By default, all links as one body.
-            ``joints`` are joint values by name, in rad or m, or as text such as ``"30 deg"``. Mimic
-            joints follow their joint, and all other joints are at zero. :func:`fixed_groups`
-            returns the groups of links that fixed joints connect, and :func:`link_table` all links.
+        ``link``, the name of a link, in its own frame; or ``subtree``, the name of a link whose
+        descendants are included, in the frame of that link. By default, all links as one body.
+        ``joints`` are joint values by name, in rad or m, or as text such as ``"30 deg"``. Mimic
+        joints follow their joint, and all other joints are at zero. :func:`fixed_groups` returns
+        the groups of links that fixed joints connect, and :func:`link_table` all links.
 
     Examples
     --------

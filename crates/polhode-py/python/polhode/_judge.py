@@ -39,41 +39,40 @@ def judge(
     Parameters
     ----------
     scenario
-            A path, or a text of more than one line, as for :func:`simulate`, or a
-            :class:`Scenario`; its ``[run]`` is not used.
+        A path, or a text of more than one line, as for :func:`simulate`, or a :class:`Scenario`;
+        its ``[run]`` is not used.
     run
-            The motion as a log file: CSV, Parquet or JSON lines.
+        The motion as a log file: CSV, Parquet or JSON lines.
     times, attitude, omega
-            The motion as arrays: times (n,), ascending, s; quaternions (n, 4), matrices (n, 3, 3)
-            or a ``scipy.spatial.transform.Rotation`` of n; optionally angular velocities (n, 3),
-            rad/s.
+        The motion as arrays: times (n,), ascending, s; quaternions (n, 4), matrices (n, 3, 3) or a
+        ``scipy.spatial.transform.Rotation`` of n; optionally angular velocities (n, 3), rad/s.
     columns
-            Meaning of the columns of a log, if it does not follow from their names.
+        Meaning of the columns of a log, if it does not follow from their names.
     quaternion
-            ``"wxyz"`` or ``"xyzw"``. By default, this and the following four arguments are found
-            from the beginning of the run.
+        ``"wxyz"`` or ``"xyzw"``. By default, this and the following four arguments are found from
+        the beginning of the run.
     sense
-            ``"body_to_space"`` or ``"space_to_body"``: the components that rotations transform, and
-            the result. A ``Rotation`` has the first.
+        ``"body_to_space"`` or ``"space_to_body"``: the components that rotations transform, and the
+        result. A ``Rotation`` has the first.
     omega_axes
-            Axes of the angular velocity: ``"body"`` or ``"space"``.
+        Axes of the angular velocity: ``"body"`` or ``"space"``.
     axes
-            The run's x, y, z in terms of the scenario's axes, such as ``"x,z,-y"``.
+        The run's x, y, z in terms of the scenario's axes, such as ``"x,z,-y"``.
     time_origin
-            Time of the run at the scenario's time 0, s.
+        Time of the run at the scenario's time 0, s.
     step, engine
-            Time step of the program, s, and its name.
+        Time step of the program, s, and its name.
 
     Returns
     -------
     Judgement
-            Errors, their pattern and the most likely causes.
+        Errors, their pattern and the most likely causes.
 
     Raises
     ------
     PolhodeError
-            If several readings of the run are equally good, if the arrays are not a motion, or if a
-            log is invalid.
+        If several readings of the run are equally good, if the arrays are not a motion, or if a log
+        is invalid.
 
     Examples
     --------

@@ -49,7 +49,8 @@ class Reading(NamedTuple):
     from_own_start: bool
     #: All readings that were tried, best first.
     tried: tuple[TriedReading, ...]
-    #: Seconds per stated second of the run's clock: 1 if the unit of its times is the stated one, 0.001 if it is ms.
+    #: Seconds per stated second of the run's clock: 1 if its times are in the stated unit, 0.001 if
+    #: they are in ms.
     time_factor: float
     #: Order and signs of the components of ω: ``(x, y, z)`` as stated; ``None`` without ω.
     omega_components: str | None
@@ -102,8 +103,10 @@ class ErrorSplit(NamedTuple):
 
 
 class Cause(NamedTuple):
-    """A possible cause of the error. The motion that it would produce was computed and compared
-    with the run."""
+    """A possible cause of the error.
+
+    The motion that it would produce was computed and compared with the run.
+    """
 
     #: Stable identifier for programs, such as ``no_gyroscopic_term``.
     id: str
@@ -123,8 +126,7 @@ class Cause(NamedTuple):
 
 
 class Judgement:
-    """Deviation of a run from the exact motion, its pattern and its likely cause, from
-    :func:`judge`.
+    """Deviation of a run from the exact motion, with its likely cause; see :func:`judge`.
 
     Arrays have a row for each time, and are read-only. Those of ω are ``None`` for a run without ω.
     """
@@ -150,8 +152,10 @@ class Judgement:
 
     @property
     def attitude(self) -> Floats:
-        """Attitudes R_space_body of the run, scenario's axes, as quaternions (n, 4): w, x, y, z,
-        with the norm that they have in the run."""
+        """Attitudes R_space_body of the run, scenario's axes, as quaternions (n, 4): w, x, y, z.
+
+        They keep the norm that they have in the run.
+        """
         return _shown(self._judged["attitude"])
 
     @property
@@ -161,8 +165,7 @@ class Judgement:
 
     @property
     def exact_attitude(self) -> Floats:
-        """Exact attitudes R_space_body as unit quaternions (n, 4): w, x, y, z, continuous in
-        sign."""
+        """Exact attitudes R_space_body as unit quaternions (n, 4): w, x, y, z."""
         return _shown(self._judged["exact_attitude"])
 
     @property
@@ -212,8 +215,10 @@ class Judgement:
 
     @property
     def exact_to(self) -> float:
-        """Uncertainty of the exact attitude at the last row, rad. Smaller errors cannot be
-        detected."""
+        """Uncertainty of the exact attitude at the last row, rad.
+
+        Smaller errors cannot be detected.
+        """
         return self._number("error", "exact_to_rad")
 
     @property
@@ -223,8 +228,10 @@ class Judgement:
 
     @property
     def step(self) -> float | None:
-        """Time step of the program, s: as given, or else the interval between rows; ``None`` if
-        that is not constant."""
+        """Time step of the program, s.
+
+        It is as given, or else the interval between rows; ``None`` if that is not constant.
+        """
         step: float | None = self._run["step_s"]
         return step
 
@@ -274,8 +281,10 @@ class Judgement:
 
     @property
     def causes(self) -> list[Cause]:
-        """All causes that were tried, most likely first; empty if there is no error to explain, or
-        no cause can be tried."""
+        """All causes that were tried, most likely first.
+
+        The list is empty if there is no error to explain, or no cause can be tried.
+        """
         tried = self._run["causes"]["tried"]
         return [
             Cause(it["id"], it["cause"], it["is_mistake"], it["named"], it["residual_rad"], it["explained"], it["hint"]) for it in tried

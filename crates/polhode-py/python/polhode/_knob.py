@@ -34,11 +34,10 @@ class Knob:
     Parameters
     ----------
     low, high
-            Ends of the slider, in the unit of the number in the scenario, or SI if it has none. The
-            default suits the number.
+        Ends of the slider, in the unit of the number in the scenario, or SI if it has none. The
+        default suits the number.
     label
-            Label of the slider; the default is the number's name in the scenario. The unit is
-            added.
+        Label of the slider; the default is the number's name in the scenario. The unit is added.
 
     Examples
     --------

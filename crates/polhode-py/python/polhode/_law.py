@@ -261,8 +261,7 @@ def _unwrapped(found: Any) -> Any:
 
 
 def where(condition: Any, then: Any, otherwise: Any) -> Any:
-    """Returns ``then`` where the condition holds, else ``otherwise``, as :func:`numpy.where`; also
-    for symbols.
+    """Selects ``then`` where the condition holds, else ``otherwise``, also for symbols.
 
     >>> from polhode.scenario import torque, where
     >>> torque(lambda t, omega: where(t < 2.0, 0.3, 0.0) * omega).torque[0]
@@ -340,8 +339,10 @@ def formula_torque(law: Any) -> tuple[str, ...]:
 
 
 def called_with(law: Any, given: dict[str, Any]) -> Any:
-    """Calls a law with the parts of the state that it takes. Parameters before a ``/`` are
-    positional."""
+    """Calls a law with the parts of the state that it takes.
+
+    Parameters before a ``/`` are positional.
+    """
     kinds = inspect.signature(law).parameters
     first = [value for name, value in given.items() if kinds[name].kind is inspect.Parameter.POSITIONAL_ONLY]
     return law(*first, **{name: value for name, value in given.items() if kinds[name].kind is not inspect.Parameter.POSITIONAL_ONLY})

@@ -14,8 +14,9 @@ if TYPE_CHECKING:
 
 
 def widget(scenario: Scenario | str | os.PathLike[str], knobs: Knobs | None = None, *, error: str = "auto") -> MotionWidget:
-    """Shows the motion of a scenario in a notebook, with sliders for its numbers. Requires
-    anywidget.
+    """Shows the motion of a scenario in a notebook, with sliders for its numbers.
+
+    Requires anywidget.
 
     Each change computes the motion in the kernel. During a computation, only the latest values wait
     for the next one. A value that is refused is shown with the reason, and the motion remains as it
@@ -26,25 +27,24 @@ def widget(scenario: Scenario | str | os.PathLike[str], knobs: Knobs | None = No
     scenario
         A :class:`Scenario`, its file, or its text: a ``str`` of more than one line.
     knobs
-            Keys of its numbers as in scenario files, such as ``"start.spin.body[2]"``,
-            ``"torque[0].coefficient"`` or ``'body.part["rotor"].mass'``, or as the arguments of
-            :class:`Scenario`, ``"start.omega[2]"``. Also a mapping from keys to a :class:`Knob` or
-            to the ends ``(low, high)`` of its slider. The default is the four most informative
-            numbers.
+        Keys of its numbers as in scenario files, such as ``"start.spin.body[2]"``,
+        ``"torque[0].coefficient"`` or ``'body.part["rotor"].mass'``, or as the arguments of
+        :class:`Scenario`, ``"start.omega[2]"``. Also a mapping from keys to a :class:`Knob` or to
+        the ends ``(low, high)`` of its slider. The default is the four most informative numbers.
     error
-            Method of the error estimate, as for :func:`simulate`.
+        Method of the error estimate, as for :func:`simulate`.
 
     Returns
     -------
     MotionWidget
-            Widget with the current :class:`Motion` in ``motion``, its scenario in ``scenario``, and
-            the values of the knobs in ``values``, which can be set.
+        Widget with the current :class:`Motion` in ``motion``, its scenario in ``scenario``, and the
+        values of the knobs in ``values``, which can be set.
 
     Raises
     ------
     PolhodeError
-            If a key is not a number of the scenario (the message lists similar keys), and as for
-            :func:`simulate`.
+        If a key is not a number of the scenario (the message lists similar keys), and as for
+        :func:`simulate`.
 
     Examples
     --------

@@ -29,8 +29,7 @@ def ten(body: MassProperties) -> Floats:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ParticleDerivatives(Record):
-    """Mass properties of particles with their derivatives, as :func:`particle_derivatives` returns
-    them.
+    """Mass properties of particles with their derivatives; see :func:`particle_derivatives`.
 
     The first axis of all arrays is :attr:`rows`: the mass, kg; the centre of mass, m; and the
     elements of the inertia tensor about the centre of mass, kg·m². All are along the axes of the
@@ -60,17 +59,17 @@ def particle_derivatives(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> 
     masses
         Masses (n,), kg, positive.
     positions
-            Positions (n, 3), m.
+        Positions (n, 3), m.
 
     Returns
     -------
     ParticleDerivatives
-            Derivatives by the masses (10, n) and by the positions (10, n, 3).
+        Derivatives by the masses (10, n) and by the positions (10, n, 3).
 
     Raises
     ------
     PolhodeError
-            If an argument is invalid; the message names the argument, the element and the rule.
+        If an argument is invalid; the message names the argument, the element and the rule.
 
     Examples
     --------
@@ -89,8 +88,7 @@ def particle_derivatives(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class BodyDerivatives(Record):
-    """Mass properties of a body with their derivatives by its parts, as :meth:`Body.derivatives`
-    returns them.
+    """Mass properties of a body with derivatives by its parts; see :meth:`Body.derivatives`.
 
     The first axis of all arrays is :attr:`rows`: the mass, kg; the centre of mass, m; and the
     elements of the inertia tensor about the centre of mass, kg·m². The second axis is
@@ -196,8 +194,10 @@ class MeshDerivatives(Record):
 
     @cached_property
     def by_vertices(self) -> Floats:
-        """Derivatives by the coordinates of each vertex (10, n, 3), per m: :meth:`gradient` of each
-        of the ten numbers."""
+        """Derivatives by the coordinates of each vertex (10, n, 3), per m.
+
+        It is :meth:`gradient` of each of the ten numbers.
+        """
         by_vertices = self.gradient(np.eye(10))
         by_vertices.flags.writeable = False
         return by_vertices
@@ -211,17 +211,17 @@ class MeshDerivatives(Record):
         Parameters
         ----------
         of_number
-                Derivatives (10,) of a number by :attr:`rows`, or those of several numbers (…, 10).
+            Derivatives (10,) of a number by :attr:`rows`, or those of several numbers (…, 10).
 
         Returns
         -------
         ndarray
-                Derivatives (n, 3), or (…, n, 3), per m.
+            Derivatives (n, 3), or (…, n, 3), per m.
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------
@@ -261,28 +261,26 @@ def mesh_derivatives(
     mass: float | None = None,
     material: str | None = None,
 ) -> MeshDerivatives:
-    """Computes the derivatives of a solid's mass properties by the vertices of its surface, in
-    closed form.
+    """Computes the derivatives of a solid's mass properties by its vertices, in closed form.
 
     Parameters
     ----------
     mesh
-            The tuple ``(vertices, triangles)`` as for :func:`inertia`: vertices (n, 3), m, and the
-            indices from 0 of three vertices for each triangle (m, 3). The mesh must be closed.
-            Normals that point inward are reversed, with a :class:`PolhodeWarning`.
+        The tuple ``(vertices, triangles)`` as for :func:`inertia`: vertices (n, 3), m, and the
+        indices from 0 of three vertices for each triangle (m, 3). The mesh must be closed. Normals
+        that point inward are reversed, with a :class:`PolhodeWarning`.
     density, mass, material
-            Exactly one of these: kg/m³, kg, or a name such as ``"steel"``.
+        Exactly one of these: kg/m³, kg, or a name such as ``"steel"``.
 
     Returns
     -------
     MeshDerivatives
-            Arrays (10, n, 3), or the gradient (n, 3) of any number that depends on the mass
-            properties.
+        Arrays (10, n, 3), or the gradient (n, 3) of any number that depends on the mass properties.
 
     Raises
     ------
     PolhodeError
-            If the mesh is not closed, or an argument is invalid.
+        If the mesh is not closed, or an argument is invalid.
 
     Examples
     --------

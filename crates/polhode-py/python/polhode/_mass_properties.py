@@ -50,19 +50,19 @@ class MassProperties:
     mass
         Mass, kg.
     inertia
-            Inertia tensor (3, 3), or three moments about the body's axes, kg·m²: about the centre
-            of mass, or about the point ``about``. Its off-diagonal elements are *minus* the
-            integrals, I_xy = -∫xy dm, so that L = I ω.
+        Inertia tensor (3, 3), or three moments about the body's axes, kg·m²: about the centre of
+        mass, or about the point ``about``. Its off-diagonal elements are *minus* the integrals,
+        I_xy = -∫xy dm, so that L = I ω.
     center_of_mass
-            Centre of mass (3,), body axes, m.
+        Centre of mass (3,), body axes, m.
     about
-            Reference point of the tensor (3,), m. The default is the centre of mass.
+        Reference point of the tensor (3,), m. The default is the centre of mass.
 
     Raises
     ------
     PolhodeError
-            If the body is not physical: a tensor that violates the triangle inequality, or a mass
-            that is not positive.
+        If the body is not physical: a tensor that violates the triangle inequality, or a mass that
+        is not positive.
 
     Examples
     --------
@@ -133,15 +133,19 @@ class MassProperties:
 
     @property
     def axes(self) -> Floats:
-        """Principal axes as rows (3, 3): ``axes[k]`` is a unit vector in body components and belongs to ``moments[k]``; right-handed."""
+        """Principal axes as rows (3, 3), right-handed.
+
+        ``axes[k]`` is the unit vector of ``moments[k]`` in body components.
+        """
         return self._native.axes
 
     @property
     def principal_rotation(self) -> Floats:
         """Rotation matrix R_body_principal (3, 3): takes principal components to body components.
 
-        Column ``k`` is the principal axis of ``moments[k]``, and ``inertia = R @ np.diag(moments) @ R.T``. Its transpose takes body components to
-        principal components. Right-handed: its determinant is 1.
+        Column ``k`` is the principal axis of ``moments[k]``, so that
+        ``inertia = R @ np.diag(moments) @ R.T``. The transpose takes body components to principal
+        components. The matrix is a proper rotation: its determinant is 1.
 
         Examples
         --------
@@ -158,8 +162,10 @@ class MassProperties:
 
     @property
     def symmetry(self) -> str:
-        """Symmetry of the tensor: ``spherical``, ``oblate``, ``prolate``, ``asymmetric``, ``rod``
-        or ``point``."""
+        """Symmetry of the tensor.
+
+        It is ``spherical``, ``oblate``, ``prolate``, ``asymmetric``, ``rod`` or ``point``.
+        """
         return self._native.symmetry
 
     @property
@@ -188,23 +194,22 @@ class MassProperties:
         return findings_of(self._native.findings)
 
     def about(self, point: npt.ArrayLike) -> Floats:
-        """Returns the inertia tensor about a point (3, 3), body axes, kg·m² (parallel axis
-        theorem).
+        """Computes the inertia tensor about a point, body axes, kg·m² (parallel axis theorem).
 
         Parameters
         ----------
         point
-                Reference point (3,), body axes, m.
+            Reference point (3,), body axes, m.
 
         Returns
         -------
         array (3, 3)
-                I + m (a² 1 − a aᵀ), where a is the vector from the centre of mass to the point.
+            I + m (a² 1 − a aᵀ), where a is the vector from the centre of mass to the point.
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------
@@ -221,8 +226,8 @@ class MassProperties:
         Parameters
         ----------
         rotation
-                Rotation from components along those axes to body components: a quaternion (w, x, y,
-                z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+            Rotation from components along those axes to body components: a quaternion (w, x, y, z),
+            a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
 
         Returns
         -------
@@ -232,31 +237,30 @@ class MassProperties:
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
         """
         return self._native.along(_arrays.quaternions("rotation", rotation, (4,)).tolist())
 
     def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> MassProperties:
-        """Returns the body in a frame in which its origin is at ``position`` and its axes are
-        rotated.
+        """Returns the body in a frame where its origin is at ``position`` and its axes are rotated.
 
         Parameters
         ----------
         position
-                Position of the body's origin in the new frame (3,), m.
+            Position of the body's origin in the new frame (3,), m.
         rotation
-                Rotation from the body's present components to the new ones: a quaternion (w, x, y,
-                z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+            Rotation from the body's present components to the new ones: a quaternion (w, x, y, z),
+            a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
 
         Returns
         -------
         MassProperties
-                The same body in the new frame.
+            The same body in the new frame.
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
         """
         turn = _arrays.quaternions("rotation", rotation, (4,)).tolist()
         return MassProperties._of(self._native.placed(_arrays.triple("position", position), turn))
@@ -293,19 +297,20 @@ class MassProperties:
         Parameters
         ----------
         format
-            ``urdf``, ``sdf``, ``mjcf``, ``mjcf-principal``, ``usd``, ``jsbsim``, ``rocketpy``, ``basilisk``, ``solidworks`` or ``csv``.
+            Format: ``urdf``, ``sdf``, ``mjcf``, ``mjcf-principal``, ``usd``, ``jsbsim``,
+            ``rocketpy``, ``basilisk``, ``solidworks`` or ``csv``.
         name
-                Name of the body in the output.
+            Name of the body in the output.
 
         Returns
         -------
         str
-                The text, with that program's frames, reference points, signs and units.
+            The text, with that program's frames, reference points, signs and units.
 
         Raises
         ------
         PolhodeError
-                If an argument is invalid; the message names the argument, the element and the rule.
+            If an argument is invalid; the message names the argument, the element and the rule.
         """
         return self._native.export(_arrays.text("format", format), _arrays.text("name", name))
 
@@ -346,8 +351,10 @@ def rebuilt(kind: type[MassProperties], state: _native.MassState) -> MassPropert
 
 
 def joined(parts: list[MassProperties]) -> MassProperties:
-    """Joins several bodies rigidly. The sums are about a local point, so that large coordinates
-    cost no accuracy."""
+    """Joins several bodies rigidly.
+
+    The sums are about a local point, so that large coordinates cost no accuracy.
+    """
     return MassProperties._of(_native.MassProperties.combined([part._native for part in parts]))
 
 
@@ -359,17 +366,17 @@ def particles(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> MassPropert
     masses
         Masses (n,), kg, positive.
     positions
-            Positions (n, 3), m.
+        Positions (n, 3), m.
 
     Returns
     -------
     MassProperties
-            Mass properties of all points together.
+        Mass properties of all points together.
 
     Raises
     ------
     PolhodeError
-            If an argument is invalid; the message names the argument, the element and the rule.
+        If an argument is invalid; the message names the argument, the element and the rule.
 
     Examples
     --------

@@ -92,8 +92,7 @@ class Motion(Table):
 
     @property
     def momentum(self) -> Floats:
-        """Angular momentum about the point that the body turns about (n, 3), space axes,
-        kg·m²/s."""
+        """Angular momentum about the centre of rotation (n, 3), space axes, kg·m²/s."""
         return self._stacked("momentum_space_{}_kg_m2_s", "xyz")
 
     @property
@@ -128,8 +127,7 @@ class Motion(Table):
 
     @cached_property
     def derivatives(self) -> Derivatives | None:
-        """Derivatives of the motion and of its events; ``None`` unless requested from
-        :func:`simulate`."""
+        """Derivatives of the motion and its events; ``None`` if they were not requested."""
         derived = self._native.derivatives()
         return None if derived is None else derivatives_of(derived)
 
@@ -150,8 +148,10 @@ class Motion(Table):
 
     @property
     def summary(self) -> dict[str, Any]:
-        """Contents of ``summary.json``: mass properties, kind of motion, numerical error. Its keys
-        are stable."""
+        """Contents of ``summary.json``: mass properties, kind of motion, numerical error.
+
+        Its keys are stable.
+        """
         return dict(json.loads(self._json))
 
     @property
@@ -175,12 +175,12 @@ class Motion(Table):
         Returns
         -------
         States
-                Angular velocities (n, 3) and attitudes (n, 4); for a single time (3,) and (4,).
+            Angular velocities (n, 3) and attitudes (n, 4); for a single time (3,) and (4,).
 
         Raises
         ------
         PolhodeError
-                If a time is not within the motion, or the files of a copy have changed.
+            If a time is not within the motion, or the files of a copy have changed.
 
         Examples
         --------
@@ -227,26 +227,25 @@ class Motion(Table):
         Parameters
         ----------
         duration
-                Additional duration, s.
+            Additional duration, s.
         samples
-                Number of times, evenly spaced from the end of this motion to the end of the new
-                one, both included.
+            Number of times, evenly spaced from the end of this motion to the end of the new one,
+            both included.
         error
-                Method of the error estimate, as for :func:`simulate`.
+            Method of the error estimate, as for :func:`simulate`.
 
         Returns
         -------
         Motion
-                The continuation alone, without the times of this motion.
+            The continuation alone, without the times of this motion.
 
         Raises
         ------
         PolhodeError
-                If the motion cannot be continued: it has failed, or the body is on the ground or in
-                gimbals, and its state is more than attitude and ω. Simulate these for longer
-                instead.
+            If the motion cannot be continued: it has failed, or the body is on the ground or in
+            gimbals, and its state is more than attitude and ω. Simulate these for longer instead.
         KeyboardInterrupt
-                On Ctrl-C, which ends the computation.
+            On Ctrl-C, which ends the computation.
 
         Examples
         --------
@@ -280,8 +279,7 @@ class Motion(Table):
             warn(f"the motion ends at t = {self.ending.time} s: {self.ending.cause}")
 
     def rotations(self) -> Rotation:
-        """Returns the attitudes as a ``scipy.spatial.transform.Rotation``, from body components to
-        space components."""
+        """Returns the attitudes as a ``scipy.spatial.transform.Rotation``, from body to space."""
         return rotations(self.attitude)
 
     def page(self) -> str:

@@ -1,4 +1,5 @@
-"""What Rust computes. No part of the public interface: arguments are checked before they come here."""
+"""Interface of the Rust extension. It is private: the public functions check arguments before they
+call it."""
 
 from pathlib import Path
 from typing import Any, Callable, Sequence, TypedDict
@@ -13,16 +14,17 @@ VERSION: str
 
 def run_command(arguments: Sequence[str]) -> int: ...
 
-#: Name, unit, description, values, and where these are there unless all are.
+#: Name, unit, description and values of a column, and a mask of the rows with values if some have
+#: none.
 Column = tuple[str, str, str, Any, npt.NDArray[np.bool_] | None]
 
-#: Code, severity, message, place of a finding.
+#: Code, severity, message and place of a finding.
 Remark = tuple[str, str, str, str | None]
 
-#: Mass properties by value: what they are made of is the business of Rust.
+#: Pickled state of mass properties. Its structure is private to Rust.
 MassState = tuple[Any, Any, Any, Any, Any]
 
-#: Mass, centre of mass, tensor about it.
+#: Mass, centre of mass, and tensor about the centre of mass.
 MassNumbers = tuple[float, list[float], list[list[float]]]
 
 class MeshOptions(TypedDict):
@@ -293,7 +295,7 @@ class Motion:
     def has_triangles(self) -> bool: ...
     def page_data(self, triangles: int | None) -> str: ...
 
-#: Which torques, and which events, functions take the place of.
+#: Torques and events that Python functions compute: index in the list, and index of the function.
 Placed = tuple[list[tuple[int, int]], list[tuple[int, int]]]
 
 class Ensemble:

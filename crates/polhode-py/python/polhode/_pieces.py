@@ -37,7 +37,7 @@ class _Rows:
 
 
 def of(function: Callable[[int, int], Of], count: int, threads: int) -> list[Of]:
-    """Applies a function to pieces of ``count`` rows and returns the results in order.
+    """Applies a function to ``count`` rows, in pieces, and returns the results in order.
 
     The function takes the first row and the one after the last. The sizes of the pieces depend on
     timing, but the combined result does not.

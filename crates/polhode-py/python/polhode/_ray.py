@@ -19,8 +19,10 @@ AHEAD = 2
 
 
 def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout: float | None) -> Iterator[Done]:
-    """Yields the missing parts as they are done. Ray computes a part again if its worker is
-    lost."""
+    """Yields the missing parts as they are done.
+
+    Ray computes a part again if its worker is lost.
+    """
     on = f"ray://{address}"
     # Errors are reported here instead.
     quiet: dict[str, Any] = {"log_to_driver": False, "logging_level": logging.ERROR}

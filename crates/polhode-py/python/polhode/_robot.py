@@ -42,17 +42,17 @@ def fixed_groups(path: str | os.PathLike[str]) -> dict[str, MassProperties]:
     Parameters
     ----------
     path
-            Path of the model file.
+        Path of the model file.
 
     Returns
     -------
     dict
-            A body for each group, by the name of its first link.
+        A body for each group, by the name of its first link.
 
     Raises
     ------
     PolhodeError
-            If the file is not a robot model, or a link has an unphysical inertia.
+        If the file is not a robot model, or a link has an unphysical inertia.
 
     Examples
     --------
@@ -124,13 +124,14 @@ class LinkTable(NoArray):
         return list(self._findings)
 
     def to_dict(self) -> dict[str, Any]:
-        """Returns the object that ``polhode inertia --table --json`` prints. Its keys are
-        stable."""
+        """Returns the object that ``polhode inertia --table --json`` prints.
+
+        Its keys are stable.
+        """
         return copy.deepcopy(self._table)
 
     def to_csv(self) -> str:
-        """Returns the table that ``polhode inertia --table --csv`` prints, with units in the column
-        headings."""
+        """Returns the table that ``polhode inertia --table --csv`` prints."""
         return self._csv
 
     def __eq__(self, other: object) -> bool:
@@ -180,10 +181,10 @@ def link_table(path: str | os.PathLike[str], *, joints: Mapping[str, float | str
     Parameters
     ----------
     path
-            Path of the model file.
+        Path of the model file.
     joints
-            Joint values by name, in rad or m, or as ``"30 deg"``. Mimic joints follow their joint,
-            and all other joints are at zero.
+        Joint values by name, in rad or m, or as ``"30 deg"``. Mimic joints follow their joint, and
+        all other joints are at zero.
 
     Returns
     -------
@@ -193,7 +194,7 @@ def link_table(path: str | os.PathLike[str], *, joints: Mapping[str, float | str
     Raises
     ------
     PolhodeError
-            If the file is not a robot model, or does not have such a joint.
+        If the file is not a robot model, or does not have such a joint.
 
     Examples
     --------

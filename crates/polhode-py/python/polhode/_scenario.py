@@ -64,23 +64,23 @@ class Scenario:
     Parameters
     ----------
     body
-            Mass properties, a body of named parts, or one :class:`polhode.scenario.Part` or a list
-            of these.
+        Mass properties, a body of named parts, or one :class:`polhode.scenario.Part` or a list of
+        these.
     pivot
-            Fixed point of the body (3,), body axes, m.
+        Fixed point of the body (3,), body axes, m.
     start, orbit, contact, gimbals, mass_history, prescribed, shaft, pendulum, run
         Tables of :mod:`polhode.scenario`.
     torques, wheels, events, pointings
-            Lists of tables of :mod:`polhode.scenario`.
+        Lists of tables of :mod:`polhode.scenario`.
     title
-            Title of the scenario.
+        Title of the scenario.
     folder
-            Folder of the files to which the scenario refers. The default is the current folder.
+        Folder of the files to which the scenario refers. The default is the current folder.
 
     Raises
     ------
     PolhodeError
-            If the body or the motion is invalid; the message names the argument.
+        If the body or the motion is invalid; the message names the argument.
 
     Examples
     --------
@@ -152,17 +152,17 @@ class Scenario:
         scenario
             A path, or a text of more than one line.
         folder
-                Folder of the files to which a text refers. The default is the current folder.
+            Folder of the files to which a text refers. The default is the current folder.
 
         Returns
         -------
         Scenario
-                Scenario with the contents of the file.
+            Scenario with the contents of the file.
 
         Raises
         ------
         PolhodeError
-                If the text is not a valid scenario; the error has ``line`` and ``column``.
+            If the text is not a valid scenario; the error has ``line`` and ``column``.
         """
         if isinstance(scenario, str) and "\n" in scenario:
             text, path = _arrays.text("scenario", scenario), None
@@ -177,8 +177,10 @@ class Scenario:
 
     @classmethod
     def _of(cls, tables: Mapping[str, Any], folder: str, functions: Mapping[tuple[str, int], Section] = MappingProxyType({})) -> Scenario:
-        """Makes the scenario of a file's tables. ``functions`` are the torques and events that no
-        file can hold, by table and index."""
+        """Makes the scenario of a file's tables.
+
+        ``functions`` are the torques and events that no file can hold, by table and index.
+        """
         known = {"title", "body", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
         other = [key for key in tables if key not in known]
         if other:
@@ -202,18 +204,18 @@ class Scenario:
         Parameters
         ----------
         path
-                Path of the file to write, if any.
+            Path of the file to write, if any.
 
         Returns
         -------
         str
-                The text of the file.
+            The text of the file.
 
         Raises
         ------
         PolhodeError
-                If a torque is a :class:`polhode.scenario.FunctionTorque`, or the measure of an
-                event is a function, which no file can hold.
+            If a torque is a :class:`polhode.scenario.FunctionTorque`, or the measure of an event is
+            a function, which no file can hold.
         """
         if self._functions():
             raise PolhodeError("a FunctionTorque is a function of this program, which no file can hold", "polhode.scenario.torque makes a formula of it")
@@ -326,12 +328,12 @@ class Scenario:
         Returns
         -------
         Scenario
-                The new scenario. This one is not changed.
+            The new scenario. This one is not changed.
 
         Raises
         ------
         PolhodeError
-                If the new motion is invalid.
+            If the new motion is invalid.
         """
         given: dict[str, Any] = {**self._one, **self._several, "pivot": self._pivot, "title": self._title, "folder": self._folder}
         return Scenario(changes.pop("body", list(self._parts)), **{**given, **changes})
@@ -427,8 +429,10 @@ class Scenario:
         return f"Scenario({'; '.join(words)})"
 
     def __str__(self) -> str:
-        """Returns the text of the file. Functions, which no file can hold, are listed first and
-        replaced by zero."""
+        """Returns the text of the file.
+
+        Functions, which no file can hold, are listed first and replaced by zero.
+        """
         own = "".join(f"# {table}[{k}] is a function of Python, which no file can hold: zero stands in its place.\n" for table, k in self._own())
         return own + self._text()
 

@@ -26,32 +26,32 @@ def simulate(
     Parameters
     ----------
     scenario
-            A :class:`Scenario`, a path, or a text. A text is a ``str`` of more than one line, and
-            its paths are relative to the current folder.
+        A :class:`Scenario`, a path, or a text. A text is a ``str`` of more than one line, and its
+        paths are relative to the current folder.
     times
-            Times (n,), s, ascending, which replace those of ``[run]``.
+        Times (n,), s, ascending, which replace those of ``[run]``.
     error
-            Method of the estimate :attr:`Motion.error`: ``"thorough"`` costs 12 to 20 times as much
-            as the motion, ``"cheap"`` three to seven times; ``"auto"`` is thorough if that is fast.
+        Method of the estimate :attr:`Motion.error`: ``"thorough"`` costs 12 to 20 times as much as
+        the motion, ``"cheap"`` three to seven times; ``"auto"`` is thorough if that is fast.
     derivatives
-            Parameters of torques for :attr:`Motion.derivatives`, in addition to the start and the
-            inertia tensor. ``"torque[0].factor"`` is a factor of the first torque, equal to 1;
-            ``"torque[0].stiffness"`` is one of its own numbers. An empty list gives the derivatives
-            by start and tensor alone.
+        Parameters of torques for :attr:`Motion.derivatives`, in addition to the start and the
+        inertia tensor. ``"torque[0].factor"`` is a factor of the first torque, equal to 1;
+        ``"torque[0].stiffness"`` is one of its own numbers. An empty list gives the derivatives by
+        start and tensor alone.
 
     Returns
     -------
     Motion
-            The motion. If it cannot be computed to its end, it is valid up to its
-            :attr:`Motion.ending`, which has the cause, and a :class:`PolhodeWarning` is issued.
-            Further warnings report assumptions, and a ``[sweep]``, which is not simulated.
+        The motion. If it cannot be computed to its end, it is valid up to its
+        :attr:`Motion.ending`, which has the cause, and a :class:`PolhodeWarning` is issued. Further
+        warnings report assumptions, and a ``[sweep]``, which is not simulated.
 
     Raises
     ------
     PolhodeError
-            If the motion is invalid; for a file or a text, the error has ``line`` and ``column``.
+        If the motion is invalid; for a file or a text, the error has ``line`` and ``column``.
     KeyboardInterrupt
-            On Ctrl-C, which ends the computation.
+        On Ctrl-C, which ends the computation.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""What bodies are read from besides paths: meshes of other libraries, triangles, open files."""
+"""Sources other than paths: meshes of other libraries, triangles, open files."""
 
 from __future__ import annotations
 
@@ -15,19 +15,20 @@ from ._arrays import Floats
 from ._error import PolhodeError
 from ._mass_properties import MassProperties, rebuilt
 
-#: What may be given.
+#: Accepted sources, for messages.
 KNOWN = (
     "a path, an open file, a mesh as the tuple (vertices, triangles), an object that has vertices and faces, as trimesh's have, "
     "or triangles (n, 3, 3)"
 )
 
 
-#: Bytes that are read or written without a look for Ctrl-C.
+#: Number of bytes read or written between two checks for Ctrl-C.
 PIECE = 1 << 23
 
 
 def mesh_of(source: Any) -> tuple[object, object] | Floats | None:
-    """Vertices and triangles, or triangles by their corners (n, 3, 3), if that is what is given; ``None`` of a path or of an open file."""
+    """Returns vertices and triangles, or triangles given by their corners (n, 3, 3); ``None`` for a
+    path or an open file."""
     if isinstance(source, (str, os.PathLike)) or hasattr(source, "read"):
         return None
     if hasattr(source, "vertices"):
@@ -37,7 +38,7 @@ def mesh_of(source: Any) -> tuple[object, object] | Floats | None:
                 return vertices, np.asarray(getattr(source, name))
     if _units.has_units(source) and not (isinstance(source, (tuple, list)) and len(source) == 2):
         source = _arrays.real("source", source)
-    # A closed mesh has more than two triangles: two things are vertices and the numbers of them.
+    # A closed mesh has more than two triangles, so a pair is vertices and indices.
     if isinstance(source, (tuple, list)) and len(source) == 2:
         return source[0], source[1]
     if isinstance(source, tuple):
@@ -52,18 +53,19 @@ def mesh_of(source: Any) -> tuple[object, object] | Floats | None:
 
 
 def has_units_of_length(source: Any) -> bool:
-    """Whether vertices or corners have a unit in themselves."""
+    """Returns true if vertices or corners are quantities with a unit."""
     return _units.has_units(source) or _units.has_units(getattr(source, "vertices", None))
 
 
 def unit_of(source: Any) -> str | None:
-    """The unit of length that a mesh says."""
+    """Returns the unit of length of a mesh, if it has one."""
     unit = getattr(source, "units", None)
     return unit if isinstance(unit, str) else None
 
 
 def read(source: Any, format: str | None, function: Callable[[str], MassProperties]) -> MassProperties:
-    """A body of an open file, through a file that is there for as long as that takes; nobody hears of it."""
+    """Reads a body from an open file through a temporary file, whose path is removed from messages
+    and results."""
     given = getattr(source, "name", None)
     name = Path(given).name if isinstance(given, str) and given else "file"
     ending = Path(name).suffix if format is None else f".{_arrays.text('format', format).lstrip('.')}"
@@ -85,8 +87,8 @@ def read(source: Any, format: str | None, function: Callable[[str], MassProperti
 
 
 def _pieces(source: Any) -> Iterator[bytes | bytearray | memoryview]:
-    """What an open file has, piece by piece: Python looks for Ctrl-C between them."""
-    # What only has a read() of its own may know no sizes.
+    """Yields the contents of an open file in pieces. Python checks for Ctrl-C between them."""
+    # An object that has only ``read()`` may not accept a size.
     pieces = iter(lambda: source.read(PIECE), None) if hasattr(source, "readable") else iter([source.read()])
     for data in pieces:
         if isinstance(data, str):
@@ -99,7 +101,7 @@ def _pieces(source: Any) -> Iterator[bytes | bytearray | memoryview]:
 
 
 def _without(folder: str, value: Any) -> Any:
-    """The same without the folder in any text."""
+    """Returns the value without the folder in any text."""
     if isinstance(value, (tuple, list)):
         return type(value)(_without(folder, element) for element in value)
     return value.replace(folder, "") if isinstance(value, str) else value

@@ -1,4 +1,4 @@
-"""The spins of a body that tumbles with two periods."""
+"""Spins of a tumbling body with two given periods."""
 
 from __future__ import annotations
 
@@ -21,40 +21,44 @@ from ._record import Record
 
 @dataclass(frozen=True, eq=False)
 class TumblingSpin(Record):
-    """A spin that has the two periods; its mirror images have them too."""
+    """A spin with the given periods. Its mirror images have them too."""
 
-    #: ``long_axis`` or ``short_axis``: which axis L circles.
+    #: Kind of motion, by the axis that L circles: ``long_axis`` or ``short_axis``.
     regime: str
-    #: ω along body axes (3,), rad/s, at one moment of it.
+    #: Angular velocity at one moment of the motion (3,), body axes, rad/s.
     omega: Floats
-    #: |L|, kg·m²/s.
+    #: Magnitude of the angular momentum \|L\|, kg·m²/s.
     momentum: float
-    #: Kinetic energy by the least with this L.
+    #: Kinetic energy relative to the least with the same L.
     energy_ratio: float
-    #: The inertia tensor (3, 3), kg·m².
+    #: Inertia tensor (3, 3), kg·m².
     inertia: Floats
 
     @property
     def motion(self) -> FreeMotion:
-        """The free motion that begins so."""
+        """Free motion with this spin."""
         return FreeMotion(inertia=self.inertia, omega=self.omega)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Tumbling(Record):
-    """All spins of a body that have two periods; it has the length and the elements of ``spins``. :func:`spin` makes one."""
+    """All spins of a body with two given periods, as :func:`spin` returns them.
 
-    #: Of precession and of rotation, s.
+    It is a sequence of ``spins``.
+    """
+
+    #: Periods of precession and of rotation, s.
     periods: tuple[float, float]
-    #: The axis that they are of: ``long``, that of least moment, or ``short``, that of greatest.
+    #: Reference axis of the periods: ``long``, the axis of least moment, or ``short``, that of
+    #: greatest.
     convention: str
-    #: The spins.
+    #: Spins with these periods.
     spins: tuple[TumblingSpin, ...]
     #: JSON and text, as the command prints them.
     _said: tuple[str, str]
 
     def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode spin --periods --json`` prints: its keys are stable."""
+        """Returns the object that ``polhode spin --periods --json`` prints. Its keys are stable."""
         return dict(json.loads(self._said[0]))
 
     def __iter__(self) -> Iterator[TumblingSpin]:
@@ -80,19 +84,21 @@ def spin(
     moments: npt.ArrayLike | None = None,
     inertia: npt.ArrayLike | MassProperties | Body | None = None,
 ) -> Tumbling:
-    """All spins with these two periods of a tumbling body, such as an asteroid's light curve shows: what ``polhode spin --periods`` does.
+    """Finds all spins of a tumbling body with two given periods (``polhode spin --periods``).
+
+    The light curve of an asteroid shows such periods.
 
     Parameters
     ----------
     periods
-        Of precession P_φ and of rotation P_ψ (2,), s.
+        Periods of precession P_φ and of rotation P_ψ (2,), s.
     convention
-        The axis that they are of: ``"long"``, that of least moment (Samarasinha & A'Hearn 1991), or ``"short"``, that of greatest
-        (Kaasalainen 2001).
+        Reference axis of the periods: ``"long"``, the axis of least moment (Samarasinha & A'Hearn
+        1991), or ``"short"``, that of greatest (Kaasalainen 2001).
     moments
-        Moments (3,) about the body's axes, kg·m², or any multiple of them; or
+        Moments (3,) about the body's axes, kg·m², or any multiple of them.
     inertia
-        the tensor (3, 3), mass properties or a body.
+        Instead of ``moments``: the tensor (3, 3), mass properties or a body.
 
     Returns
     -------
@@ -105,7 +111,8 @@ def spin(
 
     Examples
     --------
-    (4179) Toutatis, whose long axis precesses in 7.40 days and about which it turns in 5.38:
+    (4179) Toutatis. Its long axis precesses with a period of 7.40 days, and the body rotates about
+    it in 5.38 days:
 
     >>> import polhode
     >>> day = 86_400.0

@@ -1,4 +1,4 @@
-"""Which steady motions last."""
+"""Steady motions of a scenario's body and their stability."""
 
 from __future__ import annotations
 
@@ -18,23 +18,27 @@ from ._scenario import Scenario, formula_source
 
 @dataclass(frozen=True, eq=False)
 class SteadyRotation(Record):
-    """A permanent rotation: without torque the body goes on turning about this axis; the other way round is another."""
+    """A permanent rotation: without torque, the body keeps turning about this axis.
 
-    #: ω along body axes (3,), rad/s.
+    Rotation in the opposite sense is a separate element.
+    """
+
+    #: Angular velocity (3,), body axes, rad/s.
     omega: Floats
-    #: L along body axes (3,), kg·m²/s.
+    #: Angular momentum (3,), body axes, kg·m²/s.
     momentum: Floats
-    #: J.
+    #: Kinetic energy, J.
     kinetic_energy: float
     #: ``stable``, ``unstable`` or ``neutral``.
     stability: str
-    #: Of the oscillation about it, rad/s; ``None`` unless it is stable.
+    #: Frequency of the oscillation about it, rad/s; ``None`` unless it is stable.
     frequency: float | None
-    #: At which a departure grows, 1/s; ``None`` unless it is unstable.
+    #: Growth rate of a deviation, 1/s; ``None`` unless it is unstable.
     growth_rate: float | None
-    #: Whether friction inside the body would end it.
+    #: True if internal friction would end the rotation.
     ended_by_friction: bool
-    #: What the scenario's friction inside makes of it, and at which rate, 1/s, negative where a departure dies out; ``None`` without such friction.
+    #: Stability with the internal friction of the scenario, and growth rate, 1/s, negative if a
+    #: deviation decays; ``None`` without such friction.
     with_sink: str | None
     with_sink_rate: float | None
 
@@ -43,36 +47,37 @@ class SteadyRotation(Record):
 class Oscillation(Record):
     """A small oscillation about an equilibrium."""
 
-    #: rad/s; 0 of what only grows or dies out.
+    #: Frequency, rad/s; 0 for pure growth or decay.
     frequency: float
-    #: 1/s, negative of what dies out.
+    #: Growth rate, 1/s; negative for decay.
     growth_rate: float
-    #: −growth_rate/√(growth_rate² + frequency²).
+    #: Damping ratio −growth_rate/√(growth_rate² + frequency²).
     damping_ratio: float
-    #: About which the body swings (3,), body axes.
+    #: Axis about which the body swings (3,), body axes.
     axis: Floats
-    #: About which it swings a quarter of a period later (3,), body axes.
+    #: Axis about which the body swings a quarter of a period later (3,), body axes.
     minor_axis: Floats
-    #: How many have these rates.
+    #: Number of oscillations with these rates.
     multiplicity: int
 
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium(Record):
-    """An equilibrium under the scenario's torques, and what small departures from it do."""
+    """An equilibrium under the scenario's torques, with the modes of small deviations from it."""
 
-    #: Which: ``start``, ``on_orbit``, ``top``, ``nearest``, ``nearest_about_the_vertical`` or ``nearest_at_rest``.
+    #: Kind: ``start``, ``on_orbit``, ``top``, ``nearest``, ``nearest_about_the_vertical`` or
+    #: ``nearest_at_rest``.
     what: str
-    #: Its attitude as a unit quaternion (4,): w, x, y, z.
+    #: Attitude as a unit quaternion (4,): w, x, y, z.
     attitude: Floats
-    #: ω along body axes (3,), rad/s.
+    #: Angular velocity (3,), body axes, rad/s.
     omega: Floats
-    #: How far the start is from it: rad, and rad/s.
+    #: Difference between the start and the equilibrium: angle, rad, and angular velocity, rad/s.
     turned_from_start: float
     omega_from_start: float
-    #: Whether no departure grows.
+    #: True if no deviation grows.
     is_stable: bool
-    #: How many rates are zero.
+    #: Number of zero rates.
     neutral: int
     #: Small oscillations.
     modes: tuple[Oscillation, ...]
@@ -80,71 +85,78 @@ class Equilibrium(Record):
 
 @dataclass(frozen=True, eq=False)
 class SteadyMotions(Record):
-    """The steady motions while the wheels keep their momentum."""
+    """Steady motions in an interval in which the wheels keep their momentum."""
 
-    #: From when on, s.
+    #: Beginning of the interval, s.
     time: float
-    #: Momentum of the wheels along body axes (3,), kg·m²/s.
+    #: Momentum of the wheels (3,), body axes, kg·m²/s.
     wheel_momentum: Floats
-    #: Permanent rotations without torque, with the angular momentum of the start; ``None`` where they cannot be found.
+    #: Permanent rotations without torque, with the angular momentum of the start; ``None`` if they
+    #: cannot be found.
     rotations: tuple[SteadyRotation, ...] | None
-    #: The equilibrium under the torques that act; ``None`` without such torques, or without one.
+    #: Equilibrium under the active torques; ``None`` if there are no such torques, or no
+    #: equilibrium.
     equilibrium: Equilibrium | None
-    #: Torques that keep the body from an equilibrium, and that without them.
+    #: Torques that prevent an equilibrium, and the equilibrium without them.
     prevented_by: tuple[str, ...]
     equilibrium_of_the_rest: Equilibrium | None
-    #: Torques that do not act.
+    #: Torques that are not active.
     idle_torques: tuple[str, ...]
 
 
 @dataclass(frozen=True, eq=False)
 class SteadyOnGround(Record):
-    """The steady motion of a body on the ground that the start is near to; :meth:`Stability.to_dict` has more of wheels, rattlebacks and tippe tops."""
+    """The steady motion on the ground that is nearest to the start.
 
-    #: ``rolling_upright``, ``spinning_upright``, ``on_vertex`` or another.
+    :meth:`Stability.to_dict` has more on wheels, rattlebacks and tippe tops.
+    """
+
+    #: Kind: ``rolling_upright``, ``spinning_upright``, ``on_vertex`` or another.
     path: str
-    #: What the contact does: rolls, slides.
+    #: Kind of contact: rolling or sliding.
     footing: str
-    #: rad/s.
+    #: Spin, rad/s.
     spin: float
-    #: ω along body axes (3,), rad/s.
+    #: Angular velocity (3,), body axes, rad/s.
     omega: Floats
-    #: The normal of the ground along body axes (3,).
+    #: Normal of the ground (3,), body axes.
     normal: Floats
-    #: Whether no departure grows.
+    #: True if no deviation grows.
     is_stable: bool
-    #: Frequencies, rad/s, and growth rates, 1/s, of small departures, a row each (n, 2).
+    #: Frequencies, rad/s, and growth rates, 1/s, of small deviations, a row each (n, 2).
     modes: Floats
-    #: The spin at which it becomes stable, rad/s, and spin/threshold − 1; ``None`` where there is none.
+    #: Spin at which the motion becomes stable, rad/s, and spin/threshold − 1; ``None`` if there is
+    #: none.
     threshold: float | None
     margin: float | None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Stability(Record):
-    """Which steady motions of a scenario's body last. :func:`stability` makes one."""
+    """Steady motions of a scenario's body and their stability; see :func:`stability`."""
 
-    #: For each time from which on the wheels keep their momentum; empty of a body on the ground.
+    #: Steady motions for each interval in which the wheels keep their momentum; empty for a body on
+    #: the ground.
     motions: tuple[SteadyMotions, ...]
-    #: Of a body on the ground; ``None`` of others.
+    #: Steady motion of a body on the ground; ``None`` for other bodies.
     ground: SteadyOnGround | None
-    #: What was noticed.
+    #: Findings, such as an assumption about the body.
     findings: tuple[Finding, ...]
     #: JSON and text, as the command prints them.
     _said: tuple[str, str]
 
     @property
     def rotations(self) -> tuple[SteadyRotation, ...]:
-        """Permanent rotations, with the wheels as they are first."""
+        """Permanent rotations with the initial momentum of the wheels."""
         return (self.motions[0].rotations if self.motions else None) or ()
 
     @property
     def equilibrium(self) -> Equilibrium | None:
-        """The equilibrium under the torques that act, with the wheels as they are first."""
+        """Equilibrium under the active torques, with the initial momentum of the wheels."""
         return self.motions[0].equilibrium if self.motions else None
 
     def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode stability --json`` prints: its keys are stable."""
+        """Returns the object that ``polhode stability --json`` prints. Its keys are stable."""
         return dict(json.loads(self._said[0]))
 
     def __repr__(self) -> str:
@@ -159,14 +171,15 @@ class Stability(Record):
 
 
 def stability(scenario: str | os.PathLike[str] | Scenario) -> Stability:
-    """Says which steady motions of a scenario's body last: permanent rotations, small oscillations about an equilibrium, the steady motion on the ground.
+    """Finds the steady motions of a scenario's body and their stability (``polhode stability``).
 
-    It is what ``polhode stability`` does.
+    These are permanent rotations, small oscillations about an equilibrium, and steady motion on the
+    ground.
 
     Parameters
     ----------
     scenario
-        A path, or a text of more than one line, as of :func:`simulate`, or a :class:`Scenario`.
+        A path, or a text of more than one line, as for :func:`simulate`, or a :class:`Scenario`.
 
     Returns
     -------
@@ -175,16 +188,17 @@ def stability(scenario: str | os.PathLike[str] | Scenario) -> Stability:
     Raises
     ------
     PolhodeError
-        If the scenario cannot be read, or no motion of it is steady: it is prescribed, or the mass changes.
+        If the scenario cannot be read, or cannot have a steady motion because its motion is
+        prescribed or its mass changes.
 
     Warns
     -----
     PolhodeWarning
-        Of what had to be assumed.
+        For each assumption about the body.
 
     Examples
     --------
-    About the intermediate axis a departure grows at √((2 − 1)(3 − 2)/(1·3)) ω:
+    Growth rate of a deviation from rotation about the intermediate axis, √((2 − 1)(3 − 2)/(1·3)) ω:
 
     >>> import polhode
     >>> found = polhode.stability('''

@@ -1,4 +1,4 @@
-"""Where a body was."""
+"""States of a body: angular velocities and attitudes at times."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from ._table import Column, Table, Variable, vector
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
-#: What they are, in the words of the command's tables.
+#: Descriptions of the columns, as in the tables of the command.
 OMEGA = "angular velocity relative to space, along body axes"
 ATTITUDE = "R_space_body, unit quaternion, Hamilton, scalar first"
 
 
 class States(Table):
-    """Angular velocities and attitudes, in the order of the times: it unpacks as ``omega, attitude``.
+    """Angular velocities and attitudes at times. It unpacks as ``omega, attitude``.
 
-    Its length is the number of times; ``states[k]`` is a state, ``states[2:5]`` are several. Of a single time ``times`` is (), ω is (3,) and the
-    attitude (4,).
+    The length is the number of times. ``states[k]`` is a state, and ``states[2:5]`` are several.
+    For a single time, ``times`` has the shape (), ω (3,) and the attitude (4,).
 
     >>> import polhode
     >>> states = polhode.FreeMotion(moments=[1, 2, 3], omega=[0.01, 1, 0.01]).at([0.0, 1.0, 2.0])
@@ -38,19 +38,19 @@ class States(Table):
 
     __slots__ = ("times", "omega", "attitude")
 
-    #: Nothing with arrays in it is hashed.
+    #: Not hashable, because it contains arrays.
     __hash__ = None  # type: ignore[assignment]
 
     def __init__(self, times: Floats, omega: Floats, attitude: Floats) -> None:
         #: Times (n,), s.
         self.times = times
-        #: ω along body axes (n, 3), rad/s.
+        #: Angular velocities (n, 3), body axes, rad/s.
         self.omega = omega
-        #: R_space_body as unit quaternions (n, 4): w, x, y, z; each of the sign nearest to the one before it.
+        #: Attitudes R_space_body as unit quaternions (n, 4): w, x, y, z, continuous in sign.
         self.attitude = attitude
 
     def rotations(self) -> Rotation:
-        """The attitudes as a ``scipy.spatial.transform.Rotation``: it takes body components to space components."""
+        """Returns the attitudes as a ``scipy.spatial.transform.Rotation``, from body to space."""
         return rotations(self.attitude)
 
     def _table(self) -> list[Column]:
@@ -75,7 +75,7 @@ class States(Table):
         return len(self.times)
 
     def __getitem__(self, which: Any) -> States:
-        # A copy: what is written into it changes nothing else.
+        # A copy, so that writing into it changes nothing else.
         return States(*(np.array(array[which]) for array in (self.times, self.omega, self.attitude)))
 
     def __eq__(self, other: object) -> bool:
@@ -94,16 +94,20 @@ class States(Table):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MotionError(Table, Record):
-    """How far each state may be from the true one: estimates, arrays (n,) in the order of the times; it unpacks as these four. Where nothing is known, π
-    of an attitude, and ``inf`` of ω. ``error[k]`` is that of a state, ``error[2:5]`` of several."""
+    """Error estimates of states: arrays (n,) in the order of the times. It unpacks as these four.
 
-    #: Of the computation: the angle between the attitudes, rad. It grows along the way.
+    Where the error is not known, it is π for an attitude and ``inf`` for ω. ``error[k]`` is the
+    error of a state, and ``error[2:5]`` those of several.
+    """
+
+    #: Error of the computation: angle between the attitudes, rad. It grows with time.
     attitude: Floats
-    #: Of the computation: |δω| / |ω|.
+    #: Error of the computation, relative: \|δω\| / \|ω\|.
     omega: Floats
-    #: What half a unit in the last place of the moments and the start is worth: the angle between the attitudes, rad.
+    #: Error due to input rounding (half a unit in the last place of the moments and the start):
+    #: angle between the attitudes, rad.
     inputs_attitude: Floats
-    #: The same of ω, relative.
+    #: Error of ω due to input rounding, relative.
     inputs_omega: Floats
 
     def _table(self) -> list[Column]:
@@ -124,7 +128,7 @@ class MotionError(Table, Record):
         return len(self.attitude)
 
     def __getitem__(self, which: Any) -> MotionError:
-        # A copy, as those of states are.
+        # A copy, as for states.
         return MotionError(*(np.array(array[which]) for array in self))
 
     def __repr__(self) -> str:
@@ -136,12 +140,12 @@ class MotionError(Table, Record):
 
 
 def ends(times: Floats) -> str:
-    """Between which times, for a line."""
+    """Returns the first and the last time as text."""
     return f", {times[0]:.6g} … {times[-1]:.6g} s" if len(times) else ""
 
 
 def rotations(attitude: Floats) -> Rotation:
-    """Quaternions, scalar first, as SciPy has them, scalar last."""
+    """Converts quaternions, scalar first, to SciPy rotations."""
     try:
         from scipy.spatial.transform import Rotation
     except ImportError as error:

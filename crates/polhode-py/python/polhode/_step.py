@@ -1,4 +1,4 @@
-"""The solids of a STEP file, through the OpenCASCADE that the user has."""
+"""Solids of a STEP file, read with the user's OpenCASCADE."""
 
 from __future__ import annotations
 
@@ -7,18 +7,19 @@ from typing import Any
 from . import _native
 from ._error import PolhodeError
 
-#: OpenCASCADE's lengths, m: whatever the file's unit is, it is asked for millimetres.
+#: Unit of OpenCASCADE's lengths, m. It converts all files to millimetres.
 _UNIT = 1e-3
 
-#: Errors of its quadrature that it is asked for, relative to the volume. It halves faces until the volume is known so well, which says little of
-#: the tensor; what the second of these changes of all of it is said as the error. Without such a number, faces are not halved at all, and a hole's
-#: rim that is a free curve costs 3e-4 of the volume.
+#: Error tolerances for OpenCASCADE's quadrature, relative to the volume. It bisects faces until the
+#: volume reaches the tolerance, which does not bound the error of the tensor. The largest change
+#: between the two tolerances is reported as the error. Without a tolerance, faces are not bisected
+#: at all, and a hole with a free-form rim causes an error of 3e-4 of the volume.
 _ERRORS = (1e-9, 1e-12)
 
 
 def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
-    """The solids in m and at a density of 1 kg/m³, and what is to be said of the file."""
-    # A file that is not there is that first.
+    """Returns the solids, in m and at a density of 1 kg/m³, and remarks about the file."""
+    # Report a missing file before a missing library.
     with open(path, "rb") as file:
         is_empty = not file.read(1)
     try:
@@ -69,7 +70,7 @@ def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
     left_out = len(within(shape, Kind.TopAbs_SHELL, Kind.TopAbs_SOLID)) + len(within(shape, Kind.TopAbs_FACE, Kind.TopAbs_SHELL))
     if not bodies:
         raise PolhodeError(f"{path} has no solid, but {left_out} surfaces", "close them to a solid in the CAD program")
-    # A solid that stands at several places is one.
+    # A solid that occurs at several places counts once.
     different = 0
     for number, solid in enumerate(all_solids):
         different += not any(solid.IsPartner(other) for other in all_solids[:number])
@@ -78,7 +79,8 @@ def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
     return bodies, {"left_out": left_out, "invalid": invalid, "error": worst}
 
 
-#: What a solid is made of and placed by. Faults of anything else, such as colours and dimensions, do not change it.
+#: Entities that define the shape and position of solids. Errors in other entities, such as colours
+#: and dimensions, do not affect them.
 _SHAPES = (
     "StepGeom_GeometricRepresentationItem",
     "StepShape_TopologicalRepresentationItem",
@@ -95,7 +97,11 @@ _AGAIN = "the file is damaged, or has what OpenCASCADE does not know: export it 
 
 
 def _named(model: Any, path: str) -> int:
-    """How many solids the file names. OpenCASCADE passes over what it cannot read, and takes millimetres where no unit is said; both are refused."""
+    """Counts the solids in the file.
+
+    OpenCASCADE skips entities that it cannot read, and assumes millimetres if there is no unit.
+    Both cases are refused.
+    """
     solids = 0
     for number in range(1, model.NbEntities() + 1):
         entity = model.Value(number)
@@ -114,7 +120,8 @@ def _named(model: Any, path: str) -> int:
 
 
 def _measured(solid: Any) -> tuple[_native.Solid, float]:
-    """Volume, area and moments, and how far two quadratures are apart: of the volume, the centre and the tensor, relative."""
+    """Returns volume, area and moments, and the largest relative difference of two quadratures in
+    volume, centre and tensor."""
     from OCP.BRepGProp import BRepGProp
     from OCP.gp import gp_Pnt
     from OCP.GProp import GProp_GProps
@@ -122,7 +129,7 @@ def _measured(solid: Any) -> tuple[_native.Solid, float]:
     rough, surface = GProp_GProps(), GProp_GProps()
     BRepGProp.VolumeProperties_s(solid, rough)
     BRepGProp.SurfaceProperties_s(solid, surface, _ERRORS[0])
-    # About a point in the body: a place far from the origin costs no digits.
+    # The reference point is in the body, so that a position far from the origin costs no accuracy.
     near = rough.CentreOfMass() if rough.Mass() > 0.0 else gp_Pnt()
 
     def moments(error: float) -> tuple[float, list[float], list[list[float]]]:

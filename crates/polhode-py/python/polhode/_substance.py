@@ -1,4 +1,4 @@
-"""What a body is made of."""
+"""Material, density or mass of bodies."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ._error import PolhodeError
 
 
 class Given(TypedDict):
-    """What Rust asks for."""
+    """Density, mass or material as Rust takes it."""
 
     density: float | None
     mass: float | None
@@ -20,7 +20,9 @@ class Given(TypedDict):
 
 
 def materials() -> dict[str, float]:
-    """The materials that ``material=`` knows, with their densities, kg/m³: rounded values in common use.
+    """Returns the materials that ``material=`` accepts, with their densities, kg/m³.
+
+    The densities are rounded values in common use.
 
     Returns
     -------
@@ -37,7 +39,8 @@ def materials() -> dict[str, float]:
 
 
 def of_parts(parts: object) -> list[tuple[str, Given]]:
-    """What parts of a mesh are made of by their names: a material, or a dictionary with a density, a mass or a material."""
+    """Checks the substances of parts of a mesh by name: a material, or a dictionary with a density,
+    a mass or a material."""
     if not isinstance(parts, (Mapping, type(None))):
         raise TypeError(f"parts must be a dict of what parts are made of by their names, not {type(parts).__name__}")
     made: list[tuple[str, Given]] = []
@@ -68,7 +71,7 @@ def given(
     area_density: float | None = None,
     line_density: float | None = None,
 ) -> Given:
-    """The arguments, checked to be positive numbers and text."""
+    """Checks that the arguments are positive numbers and text."""
 
     def checked(name: str, value: float | None) -> float | None:
         return None if value is None else _arrays.positive(name, value)

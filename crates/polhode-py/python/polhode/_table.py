@@ -1,4 +1,4 @@
-"""Results as tables, for the libraries that users have."""
+"""Results as tables for pandas, Polars, PyArrow and xarray."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ if TYPE_CHECKING:
 class Column(NamedTuple):
     """A column of a table."""
 
-    #: The name, with its unit as suffix.
+    #: Name, with the unit as suffix.
     name: str
-    #: The unit in SI symbols; ``1`` for a pure number.
+    #: Unit in SI symbols; ``1`` for a pure number.
     unit: str
-    #: What it is.
+    #: Description of the quantity.
     description: str
-    #: A number for each row.
+    #: Values, one for each row.
     values: npt.NDArray[Any]
 
 
 class Variable(NamedTuple):
-    """Numbers along axes that have names."""
+    """An array with named dimensions."""
 
     name: str
     dimensions: tuple[str, ...]
@@ -40,16 +40,19 @@ class Variable(NamedTuple):
     values: npt.NDArray[Any]
 
 
-#: Rows at either end of a long table that a notebook shows.
+#: Number of rows at either end of a long table that a notebook shows.
 SHOWN = 4
 
 
 class NoArray:
-    """A result with a length that is not an array. NumPy would make an array of objects of it, and pandas a table without its columns."""
+    """A result that has a length but is not an array.
+
+    NumPy would convert it to an array of objects, and pandas to a table without its columns.
+    """
 
     __slots__ = ()
 
-    #: Where its numbers are.
+    #: Advice on how to obtain its numbers.
     _instead: ClassVar[str]
 
     def __array__(self, dtype: object = None, copy: object = None) -> NoReturn:
@@ -58,34 +61,44 @@ class NoArray:
 
 
 class Table(NoArray):
-    """What has columns. Tables of other libraries are copies; fields of Arrow and variables of xarray have their units and descriptions."""
+    """A result with columns.
+
+    Tables of other libraries are copies. Fields of Arrow and variables of xarray have units and
+    descriptions.
+    """
 
     __slots__ = ()
 
     _instead = "to_pandas() gives its DataFrame, and columns() its arrays by name"
 
     def _table(self) -> list[Column]:
-        """The columns, of numbers that nobody else has."""
+        """Returns the columns, with values that no other object shares."""
         raise NotImplementedError
 
     def _variables(self) -> list[Variable]:
-        """The same along times, and along axes of vectors; those called as a dimension are its coordinates."""
+        """Returns arrays along times and vector components.
+
+        Those with the name of a dimension are its coordinates.
+        """
         raise NotImplementedError
 
     def columns(self) -> dict[str, npt.NDArray[Any]]:
-        """Arrays by name, units in the names: what a ``DataFrame`` takes."""
+        """Returns the arrays by name, with units in the names, as for ``DataFrame``."""
         return {column.name: column.values for column in self._table()}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The columns as a pandas ``DataFrame``."""
+        """Returns the columns as a pandas ``DataFrame``."""
         return _needed("pandas", "to_pandas").DataFrame(self.columns())
 
     def to_polars(self) -> polars.DataFrame:
-        """The columns as a Polars ``DataFrame``."""
+        """Returns the columns as a Polars ``DataFrame``."""
         return _needed("polars", "to_polars").DataFrame(self.columns())
 
     def to_arrow(self) -> pyarrow.Table:
-        """The columns as a PyArrow ``Table``; units and descriptions are the metadata of its fields."""
+        """Returns the columns as a PyArrow ``Table``.
+
+        Units and descriptions are the metadata of its fields.
+        """
         pa = _needed("pyarrow", "to_arrow")
         columns = self._table()
         arrays = [pa.array(column.values) for column in columns]
@@ -96,7 +109,11 @@ class Table(NoArray):
         return pa.Table.from_arrays(arrays, schema=pa.schema(fields))
 
     def to_xarray(self) -> xarray.Dataset:
-        """An xarray ``Dataset`` along ``time`` (s), with vectors along ``axis`` (x, y, z) and quaternions along ``component`` (w, x, y, z)."""
+        """Returns an xarray ``Dataset``.
+
+        Its dimensions are ``time`` (s), ``axis`` (x, y, z) for vectors and ``component`` (w, x, y,
+        z) for quaternions.
+        """
         xr = _needed("xarray", "to_xarray")
         variables = self._variables()
         of = {
@@ -109,7 +126,8 @@ class Table(NoArray):
         return xr.Dataset({name: value for name, value in of.items() if name not in named}, coords={**coordinates, **axes})
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
-        """What libraries of tables take without a copy: ``polars.DataFrame(motion)``, ``duckdb``; it needs PyArrow."""
+        """Returns an Arrow stream for libraries that import tables without a copy, such as
+        ``polars.DataFrame(motion)`` or ``duckdb``. Requires PyArrow."""
         return self.to_arrow().__arrow_c_stream__(requested_schema)
 
     def _repr_html_(self) -> str:
@@ -128,6 +146,9 @@ def _needed(name: str, method: str) -> Any:
 
 
 def vector(name: str, unit: str, description: str, values: npt.NDArray[Any], axes: str = "xyz") -> list[Column]:
-    """A column for each component of vectors (…, 3), or of quaternions (…, 4): {} in the name is the component."""
+    """Returns a column for each component of vectors (…, 3) or quaternions (…, 4).
+
+    ``{}`` in the name is replaced by the component.
+    """
     rows = values.reshape(-1, len(axes))
     return [Column(name.format(axis), unit, description, rows[:, k].copy()) for k, axis in enumerate(axes)]

@@ -1,4 +1,4 @@
-"""Plans that are given as dictionaries, as the text that files have."""
+"""Conversion of plans given as dictionaries to the text of files."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from . import _arrays
 
 
 def text_of(plan: Mapping[str, object]) -> str:
-    """TOML, a line for each key; arrays of NumPy are lists, paths are texts.
+    """Converts a plan to TOML, a line for each key. NumPy arrays become lists, paths become text.
 
     >>> print(text_of({"title": "a \\"body\\"", "swing": {"mass": 3.2, "center": np.zeros(3)}}), end="")
     title = "a \\"body\\""
@@ -23,7 +23,7 @@ def text_of(plan: Mapping[str, object]) -> str:
 
 
 def pair(place: str, key: str, value: object) -> str:
-    """A key and its value, on a line."""
+    """Returns a key and its value as a line."""
     bare = re.fullmatch("[A-Za-z0-9_-]+", key, re.ASCII)
     return f"{key if bare else _quoted(place, key)} = {_value(place, value)}"
 
@@ -55,5 +55,5 @@ def _value(place: str, value: object) -> str:
 
 
 def _quoted(place: str, text: object) -> str:
-    """A basic string: as JSON has it, but for the one character more that TOML escapes."""
+    """Returns a TOML basic string: as in JSON, except for one more escaped character."""
     return json.dumps(_arrays.text(place, text), ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -1,4 +1,4 @@
-"""The torque that a given motion needs."""
+"""Torque that a prescribed motion requires."""
 
 from __future__ import annotations
 
@@ -22,27 +22,28 @@ from ._table import Column, Table, Variable
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RequiredTorque(Table, Record):
-    """What a prescribed motion needs, at each of ``times``. :func:`torque` makes one."""
+    """Torque, power and forces that a prescribed motion requires; see :func:`torque`."""
 
     #: Times (n,), s.
     times: Floats
-    #: ω along body axes (n, 3), rad/s.
+    #: Angular velocity (n, 3), body axes, rad/s.
     omega: Floats
-    #: Its rate along body axes (n, 3), rad/s².
+    #: Angular acceleration (n, 3), body axes, rad/s².
     acceleration: Floats
-    #: The torque along body axes (n, 3), N·m.
+    #: Torque (n, 3), body axes, N·m.
     torque: Floats
-    #: The torque along space axes (n, 3), N·m.
+    #: Torque (n, 3), space axes, N·m.
     torque_space: Floats
-    #: Its power (n,), W.
+    #: Power of the torque (n,), W.
     power: Floats
-    #: Its work since the first time (n,), J.
+    #: Work of the torque since the first time (n,), J.
     work: Floats
-    #: The forces on points (n, p, 3), along body axes, N: on the particles of a body that has no other parts, and on those that were asked for.
+    #: Forces on points (n, p, 3), body axes, N: on the particles of a body that consists only of
+    #: particles, and on the requested masses.
     forces: Floats
-    #: The forces of the two bearings of a shaft (n, 2, 3), along body axes, N; ``None`` without a shaft.
+    #: Forces of the two bearings of a shaft (n, 2, 3), body axes, N; ``None`` without a shaft.
     bearings: Floats | None
-    #: What was noticed.
+    #: Findings, such as an assumption about the body.
     findings: tuple[Finding, ...]
     #: Names, units and descriptions of the columns.
     _columns: tuple[tuple[str, str, str], ...]
@@ -50,11 +51,14 @@ class RequiredTorque(Table, Record):
     _said: tuple[str, str]
 
     def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode torque --json`` prints, with the greatest torque, means, and a shaft's correction masses: its keys are stable."""
+        """Returns the object that ``polhode torque --json`` prints. Its keys are stable.
+
+        It also has the greatest torque, means, and the correction masses of a shaft.
+        """
         return dict(json.loads(self._said[0]))
 
     def _parts(self) -> list[Floats]:
-        """Arrays in the order of the columns, each (n, k)."""
+        """Returns the arrays in the order of the columns, each (n, k)."""
         count = len(self.times)
         more = [self.forces] if self.bearings is None else [self.forces, self.bearings]
         all_of_them = [self.times, self.omega, self.acceleration, self.torque, self.torque_space, self.power, self.work, *more]
@@ -98,16 +102,19 @@ def torque(
     masses: npt.ArrayLike | None = None,
     positions: npt.ArrayLike | None = None,
 ) -> RequiredTorque:
-    """The torque, the power and the forces that a given motion needs: what ``polhode torque`` does.
+    """Computes the torque and forces that a prescribed motion requires (``polhode torque``).
 
     Parameters
     ----------
     scenario
-        A path, or a text of more than one line, as of :func:`simulate`, or a :class:`Scenario`; with ``[prescribed]`` or ``[shaft]``.
+        A path, or a text of more than one line, as for :func:`simulate`, or a :class:`Scenario`;
+        with ``[prescribed]`` or ``[shaft]``.
     times
-        Times (n,), ascending, s, that take the place of those of its ``[run]``; without either, it is the start alone.
+        Times (n,), s, ascending, which replace those of ``[run]``. Without either, only the start
+        is computed.
     masses, positions
-        Masses (p,), kg, that are fixed to the body at ``positions`` (p, 3), body axes, m: the forces on them are wanted too.
+        Masses (p,), kg, fixed to the body at ``positions`` (p, 3), body axes, m, for which the
+        forces are computed too.
 
     Returns
     -------
@@ -116,16 +123,17 @@ def torque(
     Raises
     ------
     PolhodeError
-        If the scenario cannot be read, or prescribes no motion; if it is not finite at a time.
+        If the scenario cannot be read or does not prescribe a motion, or the motion is not finite
+        at a time.
 
     Warns
     -----
     PolhodeWarning
-        Of what had to be assumed.
+        For each assumption about the body.
 
     Examples
     --------
-    N = ω × I ω, about an axis that is no principal one:
+    N = ω × I ω, about an axis that is not a principal axis:
 
     >>> import polhode
     >>> needed = polhode.torque('''

@@ -1,4 +1,5 @@
-"""Quantities of Pint and of Astropy, as numbers in SI; neither is imported unless it is there already."""
+"""Conversion of Pint and Astropy quantities to SI. Neither library is imported unless it is already
+loaded."""
 
 from __future__ import annotations
 
@@ -12,13 +13,13 @@ from ._error import PolhodeError
 
 
 class Dimension(NamedTuple):
-    """A kind of quantity."""
+    """A kind of physical quantity."""
 
-    #: What messages call it.
+    #: Name in messages.
     words: str
-    #: Its unit in SI.
+    #: SI unit.
     unit: str
-    #: The powers of kg, m and s; a radian is 1.
+    #: Exponents of kg, m and s; the radian counts as 1.
     powers: tuple[int, int, int]
 
 
@@ -38,7 +39,7 @@ ACCELERATION = Dimension("an acceleration", "m/s²", (0, 1, -2))
 FORCE = Dimension("a force", "N", (1, 1, -2))
 TORQUE = Dimension("a torque", "N·m", (1, 2, -2))
 
-#: What arguments are, by their names; those that are not here are no physical quantities.
+#: Dimensions of arguments by name. Other arguments are not physical quantities.
 DIMENSIONS: dict[str, Dimension] = {
     **dict.fromkeys(["times", "attitude_times", "duration", "periods", "shortest", "time_origin", "step", "worker_timeout"], TIME),
     **dict.fromkeys(["center_of_mass", "centers_of_mass", "about", "pivot", "point", "position", "positions", "vertices", "source"], LENGTH),
@@ -59,7 +60,7 @@ DIMENSIONS: dict[str, Dimension] = {
     **dict.fromkeys(["attitude", "rotation", "axes", "a wheel's axis", "tolerance", "outlier"], NUMBER),
 }
 
-#: What the two call units of SI, and what polhode calls them.
+#: Names of SI base units in Pint and Astropy, and their symbols here.
 _BASE = {
     **{"kilogram": "kg", "gram": "kg", "meter": "m", "metre": "m", "second": "s", "radian": "rad", "ampere": "A"},
     **{"kg": "kg", "m": "m", "s": "s", "rad": "rad", "A": "A"},
@@ -68,7 +69,7 @@ _PINT = {"kg": "kilogram", "m": "meter", "s": "second", "rad": "radian", "A": "a
 
 
 def library_of(value: object) -> str | None:
-    """Whose quantity it is."""
+    """Returns the library of a quantity; ``None`` for anything else."""
     for kind in type(value).__mro__:
         name = kind.__module__.partition(".")[0]
         if name in ("pint", "astropy") and name in sys.modules:
@@ -77,20 +78,22 @@ def library_of(value: object) -> str | None:
 
 
 def has_units(value: object) -> bool:
-    """Whether it is a quantity, or a list with one in it."""
+    """Returns true if the value is a quantity, or a list that contains one."""
     if isinstance(value, (list, tuple)):
         return not set(map(type, value)) <= {float, int, np.float64} and any(map(has_units, value))
     return library_of(value) is not None
 
 
 def without(name: str, value: object) -> None:
-    """Refuses a quantity where a plain number belongs, whatever arguments of that name are elsewhere."""
+    """Refuses a quantity where a plain number is required, even if the argument's name has a
+    dimension elsewhere."""
     if has_units(value):
         raise PolhodeError(f"{name} must be {NUMBER.words}, and has a unit")
 
 
 def dimension_of(name: str) -> Dimension | None:
-    """That of an argument, or of what is in one: ``masses[3]``, ``parts['hub']['mass']``."""
+    """Returns the dimension of an argument or of an element of one: ``masses[3]``,
+    ``parts['hub']['mass']``."""
     if wheel := re.match(r"wheels\[\d+\]\[([01])\]", name):
         return DIMENSIONS[("a wheel's axis", "a wheel's momentum")[int(wheel[1])]]
     if within := re.match(r"parts\[.*\]\['(\w+)'\]$", name):
@@ -99,7 +102,8 @@ def dimension_of(name: str) -> Dimension | None:
 
 
 def taken_apart(name: str, value: Any) -> tuple[Any, float, dict[str, int]]:
-    """The numbers of a quantity, the factor that takes them to SI, and the powers of its base units."""
+    """Returns the numbers of a quantity, the factor for conversion to SI, and the exponents of its
+    base units."""
     library = library_of(value)
     try:
         given, powers = _of_pint(value) if library == "pint" else _of_astropy(value)

@@ -1,4 +1,4 @@
-"""What differs from member to member of a plan, and the text of a plan that is made of objects."""
+"""Variables of a plan, and the text of a plan made from objects."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ._scenario import Scenario
 from ._section import Quantity, Section
 from ._toml import pair
 
-#: What a distribution's numbers are called, where they are given in order.
+#: Names of a distribution's numbers if they are given in order.
 _IN_ORDER: dict[str, tuple[str, ...]] = {
     "uniform": ("from", "to"),
     "normal": ("mean", "sd"),
@@ -26,46 +26,54 @@ _IN_ORDER: dict[str, tuple[str, ...]] = {
     "triangular": ("from", "mode", "to"),
 }
 
-#: What the elements of a matrix may be off by rounding, as correlations.
+#: Largest error of a matrix element that counts as rounding, as a correlation.
 ROUNDING = 1e-13
 
-#: Of numbers by name, or in order.
+#: Numbers of a distribution, by name or in order.
 Law = Mapping[str, Any] | Sequence[Quantity]
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Vary(Section):
-    """Something that differs from member to member, and how: a table ``[[sweep.vary]]`` of a `plan
-    <https://github.com/polhode/polhode/blob/main/book/sweep.md#what-varies>`_. It has a key and exactly one of the laws.
+    """Variation of a quantity from member to member of a plan.
+
+    It is a table ``[[sweep.vary]]`` of a
+    `plan <https://github.com/polhode/polhode/blob/main/book/sweep.md#what-varies>`_, with a key and
+    exactly one of the laws.
 
     Parameters
     ----------
     key
-        What varies, by its key in files or by the argument of :class:`polhode.Scenario`, such as ``"start.omega[2]"`` or ``'body["bus"].mass'``; several numbers, which are one
-        and the same or, with ``correlated``, are drawn together.
+        Quantity that varies, by its key in files or by the argument of :class:`polhode.Scenario`,
+        such as ``"start.omega[2]"`` or ``'body["bus"].mass'``. Several keys have the same value or,
+        with ``correlated``, are drawn together.
     uniform, log_uniform
-        ``(from, to)``
+        Bounds ``(from, to)``.
     normal
-        ``(mean, sd)``; or ``{"mean": …, "sd": …, "from": …, "to": …}``, cut off.
+        Mean and standard deviation ``(mean, sd)``; or, truncated,
+        ``{"mean": …, "sd": …, "from": …, "to": …}``.
     triangular
-        ``(from, mode, to)``
+        Bounds and mode ``(from, mode, to)``.
     log_normal
-        ``{"median": …, "sigma": …}`` or ``{"mean": …, "sd": …}``
+        Parameters ``{"median": …, "sigma": …}`` or ``{"mean": …, "sd": …}``.
     relative
-        Normal about the number as it is, with this relative standard deviation.
+        Relative standard deviation of a normal distribution about the number in the scenario.
     list_
-        These values (n,).
+        Values (n,).
     grid
-        ``{"from": …, "to": …, "count": …}``
+        Grid ``{"from": …, "to": …, "count": …}``.
     direction, magnitude
-        Of a vector: ``"uniform"`` or ``{"within": "5 deg"}``, and its length by a law of a number, ``{"uniform": {…}}``.
+        For a vector: direction ``"uniform"`` or ``{"within": "5 deg"}``, and a law for its length,
+        ``{"uniform": {…}}``.
     random
-        Of a rotation: ``"uniform"`` or ``{"sd": "2 deg"}``.
+        For a rotation: ``"uniform"`` or ``{"sd": "2 deg"}``.
     dispersion
-        Of mass properties: ``0.1``, or ``{"mass": …, "center_of_mass": …, "inertia": …}``.
+        For mass properties: ``0.1``, or ``{"mass": …, "center_of_mass": …, "inertia": …}``.
     correlated
-        Of several numbers, or of mass properties: their covariance (n, n), in SI and in the order of the keys; or ``{"covariance": …}``, or ``{"sd": …, "correlation": …}``, with
-        ``"mean"`` or ``"impossible"`` beside it. Mass properties are mass, centre of mass x, y, z, and Ixx, Iyy, Izz, Ixy, Ixz, Iyz about it, of a tensor the last six.
+        For several numbers or mass properties: their covariance (n, n), in SI units and in the
+        order of the keys; or ``{"covariance": …}``, or ``{"sd": …, "correlation": …}``, optionally
+        with ``"mean"`` or ``"impossible"``. Mass properties are mass, centre of mass x, y, z, and
+        Ixx, Iyy, Izz, Ixy, Ixz, Iyz about it; for a tensor, the last six.
 
     Examples
     --------
@@ -115,7 +123,8 @@ class Vary(Section):
 
 
 def _unrounded(matrix: Floats, *, is_correlation: bool) -> tuple[tuple[float, ...], ...]:
-    """A matrix of a computation as what it is but for rounding: symmetric, and of correlations with ones on its diagonal. More than rounding is left for the reader to refuse."""
+    """Removes rounding errors from a matrix: makes it symmetric, and the diagonal of correlations
+    1. The reader refuses larger errors."""
     if is_correlation and (np.abs(np.diag(matrix) - 1.0) <= ROUNDING).all():
         np.fill_diagonal(matrix, 1.0)
     variances = np.abs(np.diag(matrix))
@@ -125,8 +134,8 @@ def _unrounded(matrix: Floats, *, is_correlation: bool) -> tuple[tuple[float, ..
 
 
 def plan_lines(scenario: Scenario, vary: Sequence[Vary], sweep: Mapping[str, Any]) -> list[tuple[str, str]]:
-    """The lines of a plan's file, each with the argument that it comes from."""
-    # What no file can hold is refused.
+    """Returns the lines of a plan's file, each with the argument that it comes from."""
+    # Functions, which no file can hold, are refused here.
     text = scenario.to_toml()
     lines = [("scenario", line) for line in text.splitlines()]
     given = {key: _section.written(_section.plain(key, value)) for key, value in sweep.items() if value is not None}
@@ -143,7 +152,7 @@ def plan_lines(scenario: Scenario, vary: Sequence[Vary], sweep: Mapping[str, Any
 
 
 def placed(error: PolhodeError, path: str, lines: Sequence[tuple[str, str]]) -> PolhodeError:
-    """An error of a plan's text, at the argument that has it."""
+    """Returns an error in a plan's text as an error of the argument that the text came from."""
     if error.path != path or error.line is None:
         return error
     place = lines[error.line - 1][0] if 0 < error.line <= len(lines) else ""
@@ -154,7 +163,10 @@ def placed(error: PolhodeError, path: str, lines: Sequence[tuple[str, str]]) -> 
 def sweep_of(
     vary: object, members: object, sampling: str | None, seed: object, replicates: object, trajectories: object, questions: object
 ) -> dict[str, Any]:
-    """What is said of a sweep besides what varies; checked as far as the reader's words would not do."""
+    """Returns the settings of a sweep other than variables.
+
+    It checks only what the messages of the reader of files would not explain.
+    """
     if not isinstance(vary, (Vary, Sequence)) or isinstance(vary, str):
         raise TypeError(f"vary must be a list of Vary, not {type(vary).__name__}")
     if questions is not None and not isinstance(questions, Mapping):

@@ -1,4 +1,5 @@
-"""The widget: knobs in a notebook, and the motion of their values, which the kernel computes."""
+"""Notebook widget: sliders for numbers of a scenario, and the motion that the kernel computes for
+them."""
 
 from __future__ import annotations
 
@@ -23,45 +24,48 @@ from ._simulate import simulate
 
 _HERE = Path(__file__).parent
 
-#: Knobs rest after so long without a turn, s.
+#: Time without a change after which the stored output is updated, s.
 RESTS = 0.5
 
 
 class MotionWidget(anywidget.AnyWidget):
-    """A motion in a notebook with knobs: :func:`polhode.widget` makes one.
+    """An interactive motion in a notebook, as :func:`polhode.widget` returns it.
 
     Attributes
     ----------
     values
-        What the knobs are at, by their keys in the scenario, each in the unit that it is written in. Setting it computes the motion and moves the knobs; what is left out stays.
-        A value that is refused raises :exc:`PolhodeError`, and changes nothing.
+        Values of the knobs by their keys in the scenario, in the units in which they are written.
+        Setting them computes the motion and moves the sliders. Keys that are not set keep their
+        values. A value that is refused raises :exc:`PolhodeError` and changes nothing.
     motion
-        The :class:`Motion` that is shown.
+        The current :class:`Motion`.
     scenario
-        The :class:`Scenario` that it is of.
+        The :class:`Scenario` of the current motion.
     """
 
     _esm = (_HERE / "_widget.js").read_text("utf-8")
     _css = (_HERE / "_widget.css").read_text("utf-8")
 
-    # What the page's script has: `viewer/src/notebook/widget.ts`.
+    # Traits that the page's script uses: `viewer/src/notebook/widget.ts`.
     viewer_key = traitlets.Unicode().tag(sync=True)
     knobs = traitlets.List(traitlets.Dict()).tag(sync=True)
-    #: What the knobs are turned to: a number that grows, and values.
+    #: Request of the page: a number that increases, and values.
     asked = traitlets.Dict().tag(sync=True)
-    #: What came of it: the number, the values of the motion that is shown, what was refused, and what is to be said.
+    #: Answer to a request: its number, the values of the current motion, the refusal if any, and
+    #: warnings.
     answer = traitlets.Dict().tag(sync=True)
     packed = traitlets.Bytes().tag(sync=True)
 
     def __init__(self, scenario: Scenario, knobs: list[dict[str, Any]], error: str) -> None:
         self._error = error
         self._first = scenario
-        #: What names the output beside the widget, once it is displayed, and whether the viewer is in it.
+        #: Identifier of the output next to the widget, once displayed, and whether it contains the
+        #: viewer.
         self._stored: str | None = None
         self._brings_viewer: bool | None = None
         self._storing: asyncio.TimerHandle | None = None
         values = {knob["key"]: knob["value"] for knob in knobs}
-        # What is refused at the start is the caller's to know.
+        # An error at the start is raised to the caller.
         motion, notes = self._simulated(scenario)
         self._shown = scenario, motion
         super().__init__(
@@ -76,17 +80,17 @@ class MotionWidget(anywidget.AnyWidget):
 
     @property
     def motion(self) -> Motion:
-        """The motion that is shown."""
+        """The current motion."""
         return self._shown[1]
 
     @property
     def scenario(self) -> Scenario:
-        """The scenario of the motion that is shown."""
+        """Scenario of the current motion."""
         return self._shown[0]
 
     @property
     def values(self) -> dict[str, float]:
-        """What the knobs of the motion that is shown are at, by their keys, each in the unit that it is written in."""
+        """Values of the knobs for the current motion, by key, in the units as written."""
         return dict(self.answer["values"])
 
     @values.setter
@@ -100,7 +104,8 @@ class MotionWidget(anywidget.AnyWidget):
         self._show(self.answer["turn"], new)
 
     def _show(self, turn: int, values: dict[str, float]) -> None:
-        """Computes the motion of values, and shows it; or raises, and changes nothing."""
+        """Computes and shows the motion for these values; raises and changes nothing if it
+        fails."""
         scenario = with_values(self._first, self.knobs, values)
         motion, notes = self._simulated(scenario)
         packed = _display.pack(motion._output_data)
@@ -111,7 +116,7 @@ class MotionWidget(anywidget.AnyWidget):
         self._store_later()
 
     def _turned(self, change: Mapping[str, Any]) -> None:
-        """Answers the page: with a motion, or with what was refused."""
+        """Answers a request of the page with a motion, or with the reason of a refusal."""
         turn, values = change["new"]["turn"], change["new"]["values"]
         try:
             self._show(turn, {knob["key"]: number(knob["key"], values[knob["key"]]) for knob in self.knobs})
@@ -129,29 +134,33 @@ class MotionWidget(anywidget.AnyWidget):
         self.answer = {"turn": turn, "values": shown, "refusal": {"message": message, "hint": hint, "key": key}, "notes": []}
 
     def _simulated(self, scenario: Scenario) -> tuple[Motion, list[str]]:
-        """The motion, and what was warned of."""
+        """Returns the motion, and the texts of its warnings."""
         with warnings.catch_warnings(record=True) as heard:
             warnings.simplefilter("always", PolhodeWarning)
             motion = simulate(scenario, error=self._error)
         return motion, [str(one.message) for one in heard]
 
     def _bring(self, _: object, message: object, __: object) -> None:
-        """The page has no viewer yet."""
+        """Sends the viewer to a page that does not have it."""
         key, viewer = _display.viewer()
         if isinstance(message, dict) and message.get("viewer") == key:
             self.send({"viewer": key}, [viewer])
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        """The widget; where there is none, the motion as an output shows it."""
+        """Returns the widget's output, with a static display of the motion for programs without
+        widgets."""
         shown = super()._repr_mimebundle_(**kwargs)
         if shown is not None:
             shown[0]["text/html"] = self._html()
         return shown
 
     def _ipython_display_(self, **kwargs: Any) -> None:
-        """The motion as an output shows it, for notebooks without their kernel and for pages made of them, and the widget, beside which it is hidden.
+        """Displays the widget, and a static output of the motion, which is hidden next to the
+        widget.
 
-        JupyterLab takes the widget of an output that has both, and has nothing in its place if the kernel is gone.
+        The static output is for notebooks without their kernel and for pages made from them.
+        JupyterLab would show the widget of an output that has both, and nothing at all without the
+        kernel.
         """
         display: Any = import_module("IPython.display").display
         if not _display.is_notebook():
@@ -164,7 +173,7 @@ class MotionWidget(anywidget.AnyWidget):
         display({"text/html": self._html(), "text/plain": ""}, raw=True, display_id=self._stored)
         shown = super()._repr_mimebundle_(**kwargs)
         if shown is not None:
-            # Where there are no widgets the output before this one is enough.
+            # The previous output suffices in programs without widgets.
             display({**shown[0], "text/html": ""}, metadata=shown[1], raw=True)
 
     def _html(self) -> str:
@@ -172,7 +181,8 @@ class MotionWidget(anywidget.AnyWidget):
         return _display.html(motion.title or "motion", motion._output_data, beside_widget=True, brings_viewer=self._brings_viewer)
 
     def _store_later(self) -> None:
-        """The output beside the widget gets the motion that is shown, once the knobs rest."""
+        """Updates the static output with the current motion, once the knobs have not changed for a
+        while."""
         if self._stored is None:
             return
         try:

@@ -1,8 +1,10 @@
-"""Plans, and the pure function from a record batch to a record batch that sweeps are made of; it needs PyArrow.
+"""Plans, and the pure functions of record batches that sweeps consist of. Requires PyArrow.
 
-Rows in, a member of a plan each, as :func:`inputs` makes them; rows out, each with what becomes of its member. A row knows of no other row:
-wherever a table is cut, and on whatever machines and threads its pieces are computed, the bits are the same. So an engine for tables is all that a
-cluster needs, and :mod:`polhode.sweep` brings two. A table of the user's own, arrays or a dataframe, is as good as that of :func:`inputs`.
+Each input row is a member of a plan, as :func:`inputs` makes it. Each output row is the result of
+its member. Rows are independent of each other: the results are bit-identical however a table is
+split, and on any machines and threads. A cluster therefore only needs an engine for tables, and
+:mod:`polhode.sweep` supports two. A table of the user's own, from arrays or a dataframe, may
+replace that of :func:`inputs`.
 
 >>> import polhode.batch
 >>> plan = polhode.batch.Plan('''
@@ -56,49 +58,56 @@ try:
 except ImportError as error:
     raise ImportError("record batches need PyArrow: pip install pyarrow") from error
 
-# It is named here, and needs no PyArrow.
+# It is documented in this module, but needs no PyArrow.
 Vary.__module__ = __name__
 
 
 class Variable(NamedTuple):
-    """Something that differs from member to member: a column of inputs."""
+    """A quantity that varies between members: a column of inputs."""
 
-    #: The column's name.
+    #: Name of the column.
     name: str
-    #: The unit in SI; empty if there is none.
+    #: SI unit; empty if there is none.
     unit: str
-    #: What it is.
+    #: Description of the quantity.
     description: str
 
 
 class Plan:
-    """A scenario, and what differs from member to member: of a file, of its text (a ``str`` of more than one line), or of a :class:`polhode.Scenario`.
+    """A scenario and the quantities that vary between members.
 
-    A plan travels to other processes as its text. The files that it names, if there are any, have to be at the same path there, with
-    the same contents: a plan that arrives as another is refused. What had to be assumed, and members that are not possible, are a
-    :class:`polhode.PolhodeWarning` where a plan is read, and in ``findings``.
+    The source is a file, its text (a ``str`` of more than one line), or a
+    :class:`polhode.Scenario`.
+
+    A plan is sent to other processes as its text. Files to which it refers must be at the same path
+    there, with the same contents; otherwise the plan is refused. Assumptions, and members that are
+    not physical, are reported as :class:`polhode.PolhodeWarning` when a plan is read, and in
+    ``findings``.
 
     Parameters
     ----------
     source
         A path, a text, or a scenario.
     vary
-        Of a scenario: what varies, a list of :class:`Vary`.
+        Quantities that vary, a list of :class:`Vary`; only for a scenario.
     members
-        How many there are; left out of a grid.
+        Number of members; omit it for a grid.
     sampling
-        ``"monte carlo"``, ``"latin hypercube"``, ``"sobol"`` or ``"grid"``.
+        Sampling method: ``"monte carlo"``, ``"latin hypercube"``, ``"sobol"`` or ``"grid"``.
     seed, replicates, trajectories, questions
-        As `files <https://github.com/polhode/polhode/blob/main/book/sweep.md#the-plan>`_ have them; ``questions`` are conditions by name.
+        As in `files <https://github.com/polhode/polhode/blob/main/book/sweep.md#the-plan>`_;
+        ``questions`` are conditions by name.
 
     Raises
     ------
     PolhodeError
-        Where there is no such plan: of a file or a text it has ``line`` and ``column``, of a scenario the message names the argument.
+        If the plan is invalid. For a file or a text, the error has ``line`` and ``column``; for a
+        scenario, the message names the argument.
 
     Examples
     --------
-    Two numbers that are drawn together, by a covariance matrix, and the tensor of the body by standard deviations and correlations:
+    Two numbers drawn together by their covariance matrix, and the tensor of the body by standard
+    deviations and correlations:
 
     >>> import numpy as np, polhode
     >>> from polhode.batch import Plan, Vary
@@ -160,36 +169,39 @@ class Plan:
 
     @property
     def text(self) -> str:
-        """The text of its file."""
+        """Text of the plan's file."""
         return self._native.text
 
     @property
     def members(self) -> int:
-        """How many members there are."""
+        """Number of members."""
         return self._native.members
 
     @property
     def variables(self) -> list[Variable]:
-        """What differs."""
+        """Quantities that vary between members."""
         return [Variable(*variable) for variable in self._native.variables]
 
     @property
     def wants_trajectories(self) -> bool:
-        """True if the motions of members are to be kept too."""
+        """True if the trajectories of members are to be saved too."""
         return self._native.wants_trajectories
 
     @property
     def digest(self) -> str:
-        """A name for everything that results depend on: the text, the contents of the files that it names, and the program's version."""
+        """Hash of everything on which results depend.
+
+        This is the text, the contents of its files, and the program's version.
+        """
         return self._native.digest
 
     @property
     def findings(self) -> list[Finding]:
-        """What was noticed, about members that are not possible too."""
+        """Findings, also about members that are not physical."""
         return findings_of(self._native.findings)
 
     def __eq__(self, other: object) -> bool:
-        """Equal are plans with the same results, whatever they are called."""
+        """Returns true if the results of both plans are the same, whatever their paths."""
         return self.digest == other.digest if isinstance(other, Plan) else NotImplemented
 
     def __hash__(self) -> int:
@@ -201,7 +213,7 @@ class Plan:
         return f"Plan({self.members} members, {', '.join(shown) or 'nothing'} varied)"
 
     def _repr_html_(self) -> str:
-        """What differs."""
+        """Returns a table of the variables."""
         return f"<div>{_html.rows(['unit', 'what it is'], ((name, [unit, what]) for name, unit, what in self.variables))}<p>{self.members} members</p></div>"
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -210,7 +222,7 @@ class Plan:
 
 
 def _arrived(kind: type[Plan], text: str, path: str, digest: str) -> Plan:
-    """A plan that was sent, and what a subclass has added comes later."""
+    """Restores a plan that was sent. Attributes of a subclass are restored afterwards."""
     plan = object.__new__(kind)
     plan._native = _read(text, path, digest)
     return plan
@@ -218,7 +230,7 @@ def _arrived(kind: type[Plan], text: str, path: str, digest: str) -> Plan:
 
 @lru_cache(maxsize=8)
 def _read(text: str, path: str, digest: str) -> _native.Plan:
-    """A process reads a plan once."""
+    """Reads a plan, once for each process."""
     plan = _native.Plan.parse(text, path)
     if plan.digest != digest:
         raise PolhodeError(
@@ -229,7 +241,10 @@ def _read(text: str, path: str, digest: str) -> _native.Plan:
 
 
 def inputs(plan: Plan, members: range | None = None) -> pa.RecordBatch:
-    """The inputs of some members, or of all: ``member``, and a column for each variable, in SI."""
+    """Returns the inputs of members: ``member``, and a column for each variable, in SI units.
+
+    By default, all members.
+    """
     plan = _plan(plan)
     chosen = range(plan.members) if members is None else members
     if not isinstance(chosen, range):
@@ -240,33 +255,38 @@ def inputs(plan: Plan, members: range | None = None) -> pa.RecordBatch:
 
 
 def simulate(rows: Any, plan: Plan, *, threads: int | None = None) -> Any:
-    """The rows, each with what becomes of its member: how it ended, periods, final state, extrema, events; further columns go along.
+    """Computes the result of each row: its ending, periods, final state, extrema and events.
 
-    A member without a body or a motion, and one whose computation fails, is a row that says so in ``status`` and ``cause``. A further
-    column with the name of one of these is refused.
+    Further columns are kept.
+
+    If a member has an invalid body or motion, or its computation fails, ``status`` and ``cause`` of
+    its row say so. A further column with the name of a result is refused.
 
     Parameters
     ----------
     rows
-        A PyArrow record batch or table with ``member`` and a column for each of the plan's variables, in SI, as :func:`inputs` gives them; or a table of your own with a row
-        for each member: a dataframe of pandas or Polars, or a mapping from columns to arrays (n,), a number where all rows have the same. Its rows are numbered from 0 unless it
-        has a column ``member``; its values need not be those that the plan draws.
+        A PyArrow record batch or table with ``member`` and a column for each of the plan's
+        variables, in SI units, as :func:`inputs` returns it. Or a table of your own with a row for
+        each member: a dataframe of pandas or Polars, or a mapping from columns to arrays (n,), or
+        to a number that all rows share. Its rows are numbered from 0 unless it has a column
+        ``member``. Its values need not be those that the plan draws.
     plan
-        The plan.
+        Plan of the members.
     threads
-        How many; all processors that this process may use unless given. The bits do not depend on it.
+        Number of threads; the default is all processors available to this process. The results are
+        bit-identical for any number.
 
     Returns
     -------
     pyarrow.RecordBatch or pyarrow.Table
-        A table, unless a record batch is given.
+        Results, as a table unless ``rows`` is a record batch.
 
     Raises
     ------
     PolhodeError
-        Where a column is missing, has rows without a value, or has another unit than the plan's.
+        If a column is missing, has rows without a value, or has a unit other than the plan's.
     TypeError
-        Where a column holds something else than numbers.
+        If a column does not contain numbers.
 
     Examples
     --------
@@ -301,7 +321,10 @@ def simulate(rows: Any, plan: Plan, *, threads: int | None = None) -> Any:
 
 
 def trajectories(rows: Any, plan: Plan, *, threads: int | None = None) -> Any:
-    """The motions of the rows' members: a row for each sample time. Rows and threads are as :func:`simulate` has them."""
+    """Computes the trajectories of the rows' members: a row for each sample time.
+
+    ``rows`` and ``threads`` are as for :func:`simulate`.
+    """
     names = _names(_plan(plan))
     rows = _rows(rows, names)
     _require(rows, plan, names)
@@ -309,7 +332,8 @@ def trajectories(rows: Any, plan: Plan, *, threads: int | None = None) -> Any:
 
 
 def compute(plan: Plan, start: int, stop: int) -> tuple[pa.RecordBatch, pa.RecordBatch | None]:
-    """What becomes of the members from ``start`` up to ``stop``, and their trajectories if the plan wants them: a part of a sweep, on one thread."""
+    """Computes a part of a sweep, on one thread: results of the members from ``start`` to
+    ``stop`` − 1, and their trajectories if the plan requests them."""
     members = inputs(plan, range(start, stop))
     return simulate(members, plan, threads=1), trajectories(members, plan, threads=1) if plan.wants_trajectories else None
 
@@ -321,18 +345,18 @@ def _plan(plan: Plan) -> Plan:
 
 
 def _names(plan: Plan) -> list[str]:
-    """The columns of inputs."""
+    """Returns the names of the columns of inputs."""
     return ["member", *(variable.name for variable in plan.variables)]
 
 
 def _rows(rows: Any, names: list[str]) -> Any:
-    """A table of Arrow's, of what users have."""
+    """Converts a table of the user to an Arrow table."""
     if isinstance(rows, (pa.RecordBatch, pa.Table)):
         return rows
     if isinstance(rows, Mapping):
         rows = _of_arrays(rows)
     elif hasattr(rows, "iloc"):
-        # Labels of rows are no column of theirs.
+        # The index of a dataframe is not a column.
         rows = pa.Table.from_pandas(rows, preserve_index=False).replace_schema_metadata()
     elif hasattr(rows, "__arrow_c_stream__"):
         rows = pa.table(rows)
@@ -346,7 +370,7 @@ def _rows(rows: Any, names: list[str]) -> Any:
 
 
 def _of_arrays(columns: Mapping[Any, Any]) -> pa.Table:
-    """Of arrays of one length, and of numbers that all rows share."""
+    """Converts arrays of one length, and numbers that all rows share, to a table."""
     given = {_arrays.text("rows: the name of a column", name): _of_array(f"column {name}", values) for name, values in columns.items()}
     counts = {name: len(values) for name, values in given.items() if np.ndim(values)}
     if len(set(counts.values())) > 1:
@@ -357,10 +381,10 @@ def _of_arrays(columns: Mapping[Any, Any]) -> pa.Table:
 
 
 def _of_array(name: str, values: Any) -> Any:
-    """A column as an array, or the number that all rows share."""
+    """Converts a column to an array, or to the number that all rows share."""
     array = np.asarray(values)
     if array.dtype.kind not in "fiu":
-        # Text goes along; truth values, and what is ragged or masked, are looked at with care.
+        # Text is kept. Truth values, and ragged or masked arrays, are checked in full.
         array = array if array.dtype.kind == "U" else _arrays.real(name, values)
     _arrays.refuse_masked(name, values)
     if array.ndim > 1:
@@ -369,7 +393,7 @@ def _of_array(name: str, values: Any) -> Any:
 
 
 def _require(rows: Any, plan: Plan, names: list[str]) -> None:
-    """Refuses what is no table of a plan's inputs."""
+    """Refuses a table that does not have the columns of the plan's inputs."""
     for name, unit in zip(names, ["", *(variable.unit for variable in plan.variables)]):
         found = rows.schema.get_all_field_indices(name)
         if not found:
@@ -382,7 +406,7 @@ def _require(rows: Any, plan: Plan, names: list[str]) -> None:
 
 
 def _mapped(rows: Any, names: list[str], function: Any, threads: int | None) -> Any:
-    """A function of columns, piece by piece."""
+    """Applies a function to columns, in pieces."""
     count = _native.available_threads() if threads is None else _arrays.count("threads", threads)
     columns = [(name, _numbers(name, rows)) for name in names]
 
@@ -394,7 +418,7 @@ def _mapped(rows: Any, names: list[str], function: Any, threads: int | None) -> 
 
 
 def _numbers(name: str, rows: Any) -> Any:
-    """A column of inputs as an array."""
+    """Returns a column of inputs as an array."""
     column = rows.column(name)
     is_whole, is_member = pa.types.is_integer(column.type), name == "member"
     if not (is_whole or pa.types.is_floating(column.type) and not is_member):
@@ -410,7 +434,10 @@ def _numbers(name: str, rows: Any) -> Any:
 
 
 def _arrow(columns: Iterable[_native.Column]) -> pa.RecordBatch:
-    """Columns of Rust as a record batch; units and descriptions are the metadata of its fields."""
+    """Converts columns of Rust to a record batch.
+
+    Units and descriptions are the metadata of its fields.
+    """
     fields, arrays = [], []
     for name, unit, description, values, there in columns:
         array = pa.array(values, pa.string()) if isinstance(values, list) else pa.array(values, mask=None if there is None else ~there)
@@ -421,7 +448,7 @@ def _arrow(columns: Iterable[_native.Column]) -> pa.RecordBatch:
 
 
 def _columns(rows: pa.RecordBatch) -> list[_native.Column]:
-    """A record batch as columns for Rust: what :func:`_arrow` gave."""
+    """Converts a record batch made by :func:`_arrow` to columns for Rust."""
     columns: list[_native.Column] = []
     for field, array in zip(rows.schema, rows.columns):
         about = {key.decode(): value.decode() for key, value in (field.metadata or {}).items()}
@@ -430,7 +457,7 @@ def _columns(rows: pa.RecordBatch) -> list[_native.Column]:
             values: Any = array.to_pylist()
         else:
             filled = array.fill_null(0.0) if there is not None else array
-            # What came from another process need not lie as processors like it.
+            # Arrays from another process may be unaligned.
             values = np.require(filled.to_numpy(zero_copy_only=False), None, ["C", "A"])
         columns.append((field.name, about.get("unit", ""), about.get("description", ""), values, there))
     return columns

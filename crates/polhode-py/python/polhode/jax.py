@@ -1,13 +1,16 @@
-"""Free motion and mass properties as functions of JAX arrays, with their exact derivatives.
+"""Free motion and mass properties as functions of JAX arrays, with exact derivatives.
 
-They work under ``jax.jit``, ``grad``, ``jacfwd``, ``jacrev``, ``jvp``, ``vjp`` and ``vmap``. Values and partial derivatives are those of
-:class:`polhode.FreeMotion`, :func:`polhode.particle_derivatives`, :func:`polhode.mesh_derivatives` and :meth:`polhode.Body.derivatives`, in closed form: no
-integrator is differentiated through. They are computed on the host, also where arrays are on another device.
+They work under ``jax.jit``, ``grad``, ``jacfwd``, ``jacrev``, ``jvp``, ``vjp`` and ``vmap``. Values
+and partial derivatives are those of :class:`polhode.FreeMotion`,
+:func:`polhode.particle_derivatives`, :func:`polhode.mesh_derivatives` and
+:meth:`polhode.Body.derivatives`, in closed form, without differentiating an integrator. They are
+computed on the host, even for arrays on another device.
 
-Numbers are float64, so JAX has to have them: ``jax.config.update("jax_enable_x64", True)``. Derivatives of derivatives are refused.
+Numbers are float64, so JAX must have these enabled: ``jax.config.update("jax_enable_x64", True)``.
+Second derivatives are refused.
 
-An error is a :exc:`polhode.PolhodeError`; where JAX has compiled the call, under ``jit`` or ``vmap``, JAX raises its own ``JaxRuntimeError``, which ends with
-the message.
+Errors are raised as :exc:`polhode.PolhodeError`. In compiled calls, under ``jit`` or ``vmap``, JAX
+raises its own ``JaxRuntimeError``, whose text ends with the message.
 """
 
 from __future__ import annotations
@@ -29,40 +32,44 @@ __all__ = ["Motion", "Properties", "body", "free_motion", "mesh", "particles"]
 
 
 def free_motion(inertia: Any, attitude: Any, omega: Any, times: Any) -> Motion:
-    """The torque-free motion of a body, as :class:`polhode.FreeMotion` has it.
+    """Computes the torque-free motion of a body, as :class:`polhode.FreeMotion`.
 
     Parameters
     ----------
     inertia
-        The inertia tensor (3, 3) about the centre of mass, along body axes, kg·m², symmetric.
+        Inertia tensor (3, 3) about the centre of mass, body axes, kg·m², symmetric.
     attitude
-        R_space_body at t = 0 as a quaternion (4,): w, x, y, z, of any length but zero.
+        Attitude R_space_body at t = 0 as a quaternion (4,): w, x, y, z, of any nonzero norm.
     omega
-        ω (3,) at t = 0 along body axes, rad/s.
+        Angular velocity (3,) at t = 0, body axes, rad/s.
     times
-        Times (n,), s: any, in any order, before the start too; or a single one.
+        Times (n,), s, in any order, also before the start; or a single time.
 
     Returns
     -------
     Motion
-        ``omega`` (n, 3), along body axes, rad/s, and ``attitude`` (n, 4), unit quaternions: the first has w ≥ 0, each of the others the sign nearest to
-        the one before it. Of a single time (3,) and (4,). Leading axes of the arguments are a batch, and are broadcast.
+        ``omega`` (n, 3), body axes, rad/s, and ``attitude`` (n, 4), unit quaternions. The first has
+        w ≥ 0, and each other one is continuous in sign. For a single time, (3,) and (4,). Leading
+        axes of the arguments are a batch and are broadcast.
 
     Notes
     -----
     Derivatives are by all four arguments.
 
-    - A tangent q̇ of an attitude is that of a unit quaternion, q · q̇ = 0, so that it turns the body by θ = 2 vec(q* ⊗ q̇), rad, along body axes: R exp(θ). Of
-      the tangent that is given at the start the part along q has no effect, as the length of q has none; a gradient by it has no such part.
-    - A tensor is symmetric. Of a tangent its symmetric part counts, and a gradient is symmetric: moved along it, the tensor stays one, and the sum of
-      products with any symmetric change is the change. I_xy and I_yx, which :attr:`polhode.Derivatives.by_inertia` has as one number, have half of its
-      derivative each.
-    - q and −q are one attitude. Where the first quaternion passes w = 0 the sign of all of them jumps: a number that is to be
-      minimised must not depend on it, as R and (q · q₀)² do not.
+    - A tangent q̇ of an attitude is that of a unit quaternion, q · q̇ = 0. It rotates the body by
+      θ = 2 vec(q* ⊗ q̇), rad, body axes: R exp(θ). At the start, the component of a given tangent
+      along q has no effect, because the norm of q has none. A gradient by q has no such component.
+    - A tensor is symmetric. Only the symmetric part of a tangent counts, and a gradient is
+      symmetric, so that a step along it keeps the tensor symmetric. The sum of products of the
+      gradient with a symmetric change is the change of the function. I_xy and I_yx have half of the
+      derivative each; :attr:`polhode.Derivatives.by_inertia` has them as one number.
+    - The quaternions q and −q are the same attitude. When the first quaternion passes w = 0, the
+      sign of all of them changes. An objective function must not depend on the sign; R and
+      (q · q₀)² do not.
 
     Examples
     --------
-    The gradient of the angle between where a body points after 7 s and where it should:
+    Gradient of the angle between the attitude after 7 s and a target:
 
     >>> import jax, jax.numpy as jnp
     >>> import polhode.jax
@@ -83,11 +90,14 @@ def free_motion(inertia: Any, attitude: Any, omega: Any, times: Any) -> Motion:
 
 
 def particles(masses: Any, positions: Any) -> Properties:
-    """The mass properties of points: ``masses`` (n,), kg, positive, at ``positions`` (n, 3), m.
+    """Computes the mass properties of point masses.
 
-    Mass, centre of mass (3,), and the inertia tensor (3, 3) about it, along the axes of the positions. Leading axes are a batch.
+    ``masses`` (n,), kg, are positive, and ``positions`` (n, 3) are in m.
 
-    The distance of two points by which the least moment of four grows:
+    The result is the mass, the centre of mass (3,), and the inertia tensor (3, 3) about it, along
+    the axes of the positions. Leading axes are a batch.
+
+    Gradient of the least principal moment of four points by their positions:
 
     >>> import jax, jax.numpy as jnp
     >>> import polhode.jax
@@ -103,16 +113,19 @@ def particles(masses: Any, positions: Any) -> Properties:
 
 
 def mesh(vertices: Any, triangles: Any, density: Any) -> Properties:
-    """The mass properties of the solid that triangles bound, as :func:`polhode.mesh_derivatives` has them.
+    """Computes the mass properties of a solid bounded by triangles.
+
+    See :func:`polhode.mesh_derivatives`.
 
     Parameters
     ----------
     vertices
         Vertices (n, 3), m.
     triangles
-        The numbers of three of them for each triangle (m, 3), from 0: integers, by which there are no derivatives.
+        Indices from 0 of three vertices for each triangle (m, 3). They are integers and have no
+        derivatives.
     density
-        kg/m³.
+        Density, kg/m³.
 
     Returns
     -------
@@ -121,8 +134,9 @@ def mesh(vertices: Any, triangles: Any, density: Any) -> Properties:
 
     Notes
     -----
-    The partial derivatives by the vertices are an array (10, n, 3). Vertices of equal coordinates are one vertex of the solid: each has an equal share of its
-    derivatives, which is right as long as they move together.
+    The partial derivatives by the vertices are an array (10, n, 3). Vertices with equal coordinates
+    are one vertex of the solid. Each gets an equal share of the derivatives, which is right while
+    they move together.
 
     Examples
     --------
@@ -138,17 +152,17 @@ def mesh(vertices: Any, triangles: Any, density: Any) -> Properties:
 
 
 def body(masses: Any, centers_of_mass: Any, inertias: Any) -> Properties:
-    """The mass properties of parts that are rigidly joined.
+    """Computes the mass properties of rigidly joined parts.
 
     Parameters
     ----------
     masses
-        Of each part (p,), kg.
+        Masses of the parts (p,), kg.
     centers_of_mass
-        Their centres of mass (p, 3), m.
+        Centres of mass of the parts (p, 3), m.
     inertias
-        Their inertia tensors (p, 3, 3), each about the part's own centre of mass, along the axes that all share, kg·m². A gradient by them is symmetric, as
-        of :func:`free_motion`.
+        Inertia tensors of the parts (p, 3, 3), each about the part's own centre of mass, along
+        common axes, kg·m². A gradient by them is symmetric, as for :func:`free_motion`.
 
     Returns
     -------
@@ -157,7 +171,7 @@ def body(masses: Any, centers_of_mass: Any, inertias: Any) -> Properties:
 
     Examples
     --------
-    A part that is further out by 1 m takes the centre of mass with it by its share of the mass:
+    Moving a part outwards by 1 m moves the centre of mass by the part's share of the mass:
 
     >>> import jax, jax.numpy as jnp
     >>> import polhode.jax
@@ -175,7 +189,7 @@ def _properties(numbers: Any) -> Properties:
 
 
 def _given(function: Function, *given: Any) -> list[Any]:
-    """The arguments as arrays of one batch."""
+    """Converts the arguments to arrays of one batch."""
     if not jax.config.read("jax_enable_x64"):
         hint = 'jax.config.update("jax_enable_x64", True) before the first array is made'
         raise PolhodeError(f"{function.name} needs float64, and JAX has 32-bit numbers, which would lose half of the digits", hint)
@@ -186,9 +200,10 @@ def _given(function: Function, *given: Any) -> list[Any]:
 
 
 def _array(name: str, value: Any) -> Any:
-    """An argument as an array: of JAX's floats in float64, of other numbers as elsewhere in the package."""
+    """Converts an argument to an array: JAX floats to float64, other numbers as elsewhere in the
+    package."""
     if not any(isinstance(leaf, jax.Array) for leaf in jax.tree.leaves(value)):
-        # A copy, as what was given may change before the derivatives are wanted.
+        # A copy, because the original may change before the derivatives are computed.
         array = jnp.array(value if name == "triangles" else _arrays.real(name, value))
     else:
         array = jnp.asarray(value)
@@ -196,12 +211,15 @@ def _array(name: str, value: Any) -> Any:
         return array.astype(jnp.float64)
     if not jnp.issubdtype(array.dtype, jnp.integer):
         raise TypeError(f"{name} must be real numbers, not {array.dtype}")
-    # Whole numbers go as they are, so that none is rounded on the way.
+    # Integers are passed unchanged, so that none is rounded.
     return array
 
 
 def _differentiable(function: Function) -> Callable[..., Any]:
-    """The function with its derivatives: forward by the product of partial derivatives and tangents, which JAX transposes."""
+    """Makes a function with derivatives.
+
+    The forward derivative is the product of partial derivatives and tangents, which JAX transposes.
+    """
 
     @functools.cache
     def on_host(by: tuple[str, ...]) -> Callable[..., tuple[Any, ...]]:
@@ -209,7 +227,7 @@ def _differentiable(function: Function) -> Callable[..., Any]:
 
     def called(by: tuple[str, ...], given: tuple[Any, ...]) -> tuple[Any, ...]:
         if not any(isinstance(array, jax.core.Tracer) for array in given):
-            # Nothing is compiled: what is refused is raised as it is.
+            # Nothing is compiled here, so errors are raised unchanged.
             return tuple(map(jnp.asarray, on_host(by)(*given)))
         shapes = [array.shape for array in given]
         found = [function.output_shape(shapes), *(function.partial_shape(name, shapes) for name in by)]

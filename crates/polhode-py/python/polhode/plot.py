@@ -1,7 +1,8 @@
-"""Figures of motions, for those who have Matplotlib: each function returns a ``matplotlib.figure.Figure``.
+"""Figures of motions with Matplotlib. Each function returns a ``matplotlib.figure.Figure``.
 
-They do not touch ``pyplot``: a figure is shown where a notebook returns it, or written by ``figure.savefig("omega.png")``. With ``ax=``, axes that there
-are already, it is these that are drawn into, and their figure that is returned.
+They do not use ``pyplot``: a notebook shows the returned figure, and
+``figure.savefig("omega.png")`` saves it. With ``ax=``, the functions draw into existing axes and
+return their figure.
 """
 
 from __future__ import annotations
@@ -21,12 +22,14 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-#: Samples of a curve that is drawn of a closed form.
+#: Number of samples for a curve of a free motion.
 SAMPLES = 2001
 
 
 def omega(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None, ax: Axes | None = None) -> Figure:
-    """ω along body axes over time. ``times`` are for a free motion, which has none of its own; else it is drawn for some periods.
+    """Plots ω in body axes over time.
+
+    Only a free motion takes ``times``; the default is some periods.
 
     >>> import polhode
     >>> from polhode import plot
@@ -42,7 +45,7 @@ def omega(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None, ax
 
 
 def attitude(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None, ax: Axes | None = None) -> Figure:
-    """The attitude's quaternion over time."""
+    """Plots the quaternion of the attitude over time."""
     at, _, quaternions = _sampled(motion, times)
     figure, axes = _axes(ax)
     _lines(axes, at, quaternions, ["w", "x", "y", "z"], "attitude (R_space_body)")
@@ -50,7 +53,7 @@ def attitude(motion: FreeMotion | Motion, *, times: npt.ArrayLike | None = None,
 
 
 def momentum(motion: Motion, *, ax: Axes | None = None) -> Figure:
-    """L along space axes over time: constant where no torque acts."""
+    """Plots L in space axes over time. It is constant without torque."""
     _computed(motion)
     figure, axes = _axes(ax)
     _lines(axes, motion.times, motion.momentum, ["$L_x$", "$L_y$", "$L_z$"], "L in space (kg·m²/s)")
@@ -58,7 +61,10 @@ def momentum(motion: Motion, *, ax: Axes | None = None) -> Figure:
 
 
 def energy(motion: Motion, *, ax: Axes | None = None) -> Figure:
-    """Kinetic energy over time, and where every torque has a potential, potential and total energy."""
+    """Plots the kinetic energy over time.
+
+    Potential and total energy are added if every torque has a potential.
+    """
     _computed(motion)
     figure, axes = _axes(ax)
     columns, names = [motion.kinetic_energy], ["T"]
@@ -70,7 +76,10 @@ def energy(motion: Motion, *, ax: Axes | None = None) -> Figure:
 
 
 def polhode(motion: FreeMotion, *, ax: Axes | None = None) -> Figure:
-    """The path of ω along the principal axes, on the ellipsoid of all ω with the motion's kinetic energy; ``ax`` have ``projection="3d"``."""
+    """Plots the path of ω in principal axes, on the ellipsoid of constant kinetic energy.
+
+    ``ax`` must have ``projection="3d"``.
+    """
     if not isinstance(motion, FreeMotion):
         raise TypeError(f"motion must be a FreeMotion, whose ω stays on an ellipsoid, not {type(motion).__name__}")
     at, rates, _ = _sampled(motion, None)
@@ -97,7 +106,7 @@ def _computed(motion: Motion) -> None:
 
 
 def _sampled(motion: FreeMotion | Motion, times: npt.ArrayLike | None) -> tuple[Floats, Floats, Floats]:
-    """Times, ω and attitudes."""
+    """Returns times, angular velocities and attitudes."""
     if isinstance(motion, Motion):
         if times is not None:
             raise PolhodeError("times are for a free motion: a computed one has its own")
@@ -110,7 +119,7 @@ def _sampled(motion: FreeMotion | Motion, times: npt.ArrayLike | None) -> tuple[
 
 
 def _axes(ax: Axes | None, solid: bool = False) -> tuple[Figure, Any]:
-    """Those that are given, or a figure with new ones."""
+    """Returns the given axes with their figure, or new ones."""
     try:
         from matplotlib.axes import Axes
 

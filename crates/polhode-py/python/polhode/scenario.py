@@ -1,8 +1,10 @@
-"""The tables of a scenario: what a body starts with, what turns it, what to look out for, and for how long to compute.
+"""Tables of a scenario: start, torques, events, run and others.
 
-Each class is a table of a `scenario file <https://github.com/polhode/polhode/blob/main/book/scenario.md>`_ and has its keys as keyword arguments;
-one that is a word of Python's ends in ``_``. A quantity is a number in SI, or a text with its unit, such as ``"12 mm"``; three of them are
-any array (3,) or a list. :class:`polhode.Scenario` puts them together.
+Each class is a table of a
+`scenario file <https://github.com/polhode/polhode/blob/main/book/scenario.md>`_ and has its keys as
+keyword arguments. A key that is a Python keyword ends in ``_``. A quantity is a number in SI units,
+or a text with its unit, such as ``"12 mm"``. A vector is any array (3,) or a list of three
+quantities. :class:`polhode.Scenario` combines the tables.
 
 >>> import polhode
 >>> from polhode.scenario import Drag, Run, Start
@@ -70,13 +72,16 @@ __all__ = [
 #: Three quantities, or an array (3,).
 Vector = npt.ArrayLike | Sequence[Quantity]
 
-#: A rotation: a ``scipy.spatial.transform.Rotation``, or one of the forms that files have, such as ``{"euler313": [0, 0.3, 0]}``,
-#: ``{"quaternion": [w, x, y, z]}``, ``{"matrix": …}`` or ``{"axis": [0, 0, 1], "angle": "90 deg"}``.
+#: A rotation: a ``scipy.spatial.transform.Rotation``, or a form used in files, such as
+#: ``{"euler313": [0, 0.3, 0]}``, ``{"quaternion": [w, x, y, z]}``, ``{"matrix": …}`` or
+#: ``{"axis": [0, 0, 1], "angle": "90 deg"}``.
 Turn = Mapping[str, Any] | Any
 
 
 class Part(Section):
-    """A part of the body, of a shape that files know: ``shape``, and the keys of that shape, of its substance and of its place.
+    """A part of the body with a shape, as in scenario files.
+
+    The keywords are ``shape`` and the keys of that shape, of its material and of its placement.
 
     >>> from polhode.scenario import Part
     >>> Part(shape="cylinder", radius="20 mm", length=0.3, material="oak", position=[0, 0, "15 cm"])
@@ -89,12 +94,12 @@ class Part(Section):
         object.__setattr__(self, "_keys", {key: plain(f"part.{key}", value) for key, value in keys.items() if value is not None})
 
     def to_dict(self) -> dict[str, Any]:
-        """The keys of the table and their values, as files have them."""
+        """Returns the keys of the table and their values, as in files."""
         return {key: written(value) for key, value in self._keys.items()}  # type: ignore[attr-defined]
 
     @classmethod
     def from_dict(cls, table: Mapping[str, Any]) -> Part:
-        """A table of these keys and values."""
+        """Makes a table of these keys and values."""
         return cls(**table)
 
     def __eq__(self, other: object) -> bool:
@@ -108,22 +113,24 @@ class Part(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Start(Section):
-    """Attitude, spin and velocity at t = 0.
+    """Initial attitude, angular velocity and velocity at t = 0.
 
     Parameters
     ----------
     attitude
-        R_space_body: a rotation; without one the body's axes lie along those of space. With ``relative_to="orbit"`` R_orbit_body.
+        Attitude R_space_body, a rotation. The default is body axes parallel to space axes. With
+        ``relative_to="orbit"``, R_orbit_body.
     omega
-        ω along body axes (3,), rad/s.
+        Angular velocity (3,), body axes, rad/s.
     omega_space
-        Instead: ω along space axes (3,), rad/s.
+        Instead of ``omega``: angular velocity (3,), space axes, rad/s.
     momentum
-        Instead: L along space axes (3,), kg·m²/s, that of wheels included.
+        Instead of ``omega``: angular momentum (3,), space axes, kg·m²/s, including that of wheels.
     velocity
-        Of the centre of mass, along space axes (3,), m/s.
+        Velocity of the centre of mass (3,), space axes, m/s.
     relative_to
-        ``"space"``, or ``"orbit"``: attitude and spin are relative to the orbit's axes, which turn themselves.
+        Frame of attitude and angular velocity: ``"space"``, or ``"orbit"`` for the axes of the
+        orbit, which rotate themselves.
     """
 
     table = "start"
@@ -134,18 +141,18 @@ class Start(Section):
     velocity: Vector | None = None
     relative_to: str | None = None
 
-    #: How the forms of the spin are called in files.
+    #: Keys of the angular velocity in files, by the names of the arguments.
     _SPIN: ClassVar[dict[str, str]] = {"omega": "body", "omega_space": "space", "momentum": "momentum"}
 
     def to_dict(self) -> dict[str, Any]:
-        """The keys of the table and their values, as files have them."""
+        """Returns the keys of the table and their values, as in files."""
         table = super().to_dict()
         spin = {key: table.pop(name) for name, key in self._SPIN.items() if name in table}
         return {**table, "spin": spin} if spin else table
 
     @classmethod
     def from_dict(cls, table: Mapping[str, Any]) -> Start:
-        """A table of these keys and values."""
+        """Makes a table of these keys and values."""
         names = {key: name for name, key in cls._SPIN.items()}
         spin = {names[key]: value for key, value in table.get("spin", {}).items()}
         return cls(**spin, **{key: value for key, value in table.items() if key != "spin"})
@@ -153,26 +160,26 @@ class Start(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Run(Section):
-    """For how long, at which times, and how.
+    """Duration, sample times and method of the computation.
 
     Parameters
     ----------
     duration
-        s; or a number of orbits, as ``"2 orbits"``.
+        Duration, s; or a number of orbits, as ``"2 orbits"``.
     samples
-        How many times, evenly from 0 to the end; 1001 unless said.
+        Number of sample times, evenly spaced from 0 to the end. The default is 1001.
     every
-        Instead: the time from one to the next, s.
+        Instead of ``samples``: interval between sample times, s.
     method
-        ``"auto"``, ``"exact"``, ``"taylor"``, ``"dop853"`` or ``"splitting"``.
+        Method: ``"auto"``, ``"exact"``, ``"taylor"``, ``"dop853"`` or ``"splitting"``.
     tolerance
-        Bounds the error of a step, rad; 1e-13 unless said.
+        Error tolerance per step, rad. The default is 1e-13.
     order
-        2, 4 or 6, of splitting.
+        Order of the splitting method: 2, 4 or 6.
     step
-        The length of a step of splitting, s.
+        Step size of the splitting method, s.
     table_
-        Of the command: ``"csv"``, ``"parquet"``, or both.
+        Output of the command: ``"csv"``, ``"parquet"``, or both.
     """
 
     table = "run"
@@ -188,16 +195,16 @@ class Run(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Pulses(Section):
-    """A train of pulses: pulse k acts from ``first`` + k ``period`` for ``width``.
+    """A train of pulses: pulse k begins at ``first`` + k ``period`` and lasts for ``width``.
 
     Parameters
     ----------
     width, period
-        s
+        Duration of a pulse, and interval between the beginnings of pulses, s.
     first
-        When the first begins, s; 0 unless said.
+        Beginning of the first pulse, s. The default is 0.
     count
-        How many there are; without end unless said.
+        Number of pulses. By default, they do not end.
     """
 
     table = "pulses"
@@ -209,22 +216,24 @@ class Pulses(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Torque(Section):
-    """What every torque may have besides what is its own; it acts about the centre of mass, or about the pivot of a held body.
+    """A torque, with the keys that all torques have.
+
+    It acts about the centre of mass, or about the pivot of a held body.
 
     Parameters
     ----------
     name
-        What events call it.
+        Name for use in events.
     on
-        ``False``: it does not act until an event switches it on.
+        If ``False``, the torque is off until an event switches it on.
     from_, until
-        When it acts, s; always, unless said.
+        Interval in which the torque acts, s. By default, it always acts.
     pulses
-        Instead: in :class:`Pulses`.
+        Instead of an interval: :class:`Pulses` during which the torque acts.
     """
 
     table = "torque"
-    #: What files call the model.
+    #: Name of the model in files.
     model: ClassVar[str]
     name: str | None = None
     on: bool | None = None
@@ -233,12 +242,12 @@ class Torque(Section):
     pulses: Pulses | None = None
 
     def to_dict(self) -> dict[str, Any]:
-        """The keys of the table and their values, as files have them."""
+        """Returns the keys of the table and their values, as in files."""
         return {"model": self.model, **super().to_dict()}
 
     @classmethod
     def from_dict(cls, table: Mapping[str, Any]) -> Torque:
-        """A torque of the model that the table names."""
+        """Makes a torque of the model that the table names."""
         given = {key: value for key, value in table.items() if key != "model"}
         if isinstance(given.get("pulses"), Mapping):
             given["pulses"] = Pulses.from_dict(given["pulses"])
@@ -255,9 +264,9 @@ class ConstantTorque(Torque):
     Parameters
     ----------
     axes
-        ``"body"`` or ``"space"``: along which axes they are constant.
+        Axes in which the components are constant: ``"body"`` or ``"space"``.
     torque
-        (3,), N·m.
+        Torque (3,), N·m.
     """
 
     model = "constant"
@@ -267,14 +276,14 @@ class ConstantTorque(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Gravity(Torque):
-    """Uniform gravity on a body that is held at a point.
+    """Uniform gravity on a body that is held at a pivot.
 
     Parameters
     ----------
     pivot
-        The point that is held (3,), body axes, m, unless ``Scenario(pivot=…)`` says it.
+        Pivot (3,), body axes, m, unless given by ``Scenario(pivot=…)``.
     acceleration
-        Along space axes (3,), m/s²; (0, 0, −9.80665) unless said.
+        Gravitational acceleration (3,), space axes, m/s². The default is (0, 0, −9.80665).
     """
 
     model = "gravity"
@@ -284,12 +293,12 @@ class Gravity(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class GravityGradient(Torque):
-    """The gravity of the point mass that the body orbits: N = 3 (µ/r³) r̂ × I r̂.
+    """Gravity-gradient torque of the point mass that the body orbits: N = 3 (µ/r³) r̂ × I r̂.
 
     Parameters
     ----------
     mass
-        ``"tensor"``, or ``"points"``: the exact sum over the points of a body of particles.
+        ``"tensor"``, or ``"points"`` for the exact sum over the points of a body of particles.
     """
 
     model = "gravity_gradient"
@@ -298,14 +307,14 @@ class GravityGradient(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Drag(Torque):
-    """A torque against the angular velocity.
+    """A torque that opposes the angular velocity.
 
     Parameters
     ----------
     law
-        ``"linear"``, N = −C ω, or ``"quadratic"``, N = −|ω| D ω.
+        Law: ``"linear"``, N = −C ω, or ``"quadratic"``, N = −|ω| D ω.
     coefficient
-        C, N·m·s, or D, N·m·s²: one for all axes, (3,) along body axes, or (3, 3).
+        Coefficient C, N·m·s, or D, N·m·s²: one number for all axes, (3,) in body axes, or (3, 3).
     """
 
     model = "drag"
@@ -315,16 +324,16 @@ class Drag(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Torsion(Torque):
-    """A spring, or a wire.
+    """A torsion spring or a torsion wire.
 
     Parameters
     ----------
     stiffness
-        κ, N·m/rad.
+        Stiffness κ, N·m/rad.
     rest
-        The attitude without torque, a rotation; along the axes of space unless said.
+        Attitude without torque, a rotation. The default is body axes parallel to space axes.
     axis
-        Of a wire (3,), space axes: only the twist about it is resisted.
+        Axis of a wire (3,), space axes. The wire resists only the twist about it.
     """
 
     model = "torsion"
@@ -335,14 +344,14 @@ class Torsion(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Thruster(Torque):
-    """A force at a point of the body.
+    """A force at a point of the body, fixed in the body.
 
     Parameters
     ----------
     position
-        Where it pushes (3,), body axes, m.
+        Point of application (3,), body axes, m.
     force
-        Along body axes (3,), N.
+        Force (3,), body axes, N.
     """
 
     model = "thruster"
@@ -352,16 +361,16 @@ class Thruster(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Magnetic(Torque):
-    """A magnetic moment that is fixed in the body, in a field: N = m × B.
+    """Torque on a magnetic moment that is fixed in the body, in a field: N = m × B.
 
     Parameters
     ----------
     moment
-        Along body axes (3,), A·m².
+        Magnetic moment (3,), body axes, A·m².
     field
-        B, the same everywhere, along space axes (3,), T.
+        Uniform field B (3,), space axes, T.
     dipole
-        Instead: the moment of a dipole at the centre of the orbit, along space axes (3,), A·m².
+        Instead of ``field``: moment of a dipole at the centre of the orbit (3,), space axes, A·m².
     """
 
     model = "magnetic"
@@ -372,12 +381,12 @@ class Magnetic(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class EnergySink(Torque):
-    """What rubs inside the body: L stays what it is, and T falls at the rate α ‖L × ω‖².
+    """Internal dissipation: L is constant, and T decreases at the rate α ‖L × ω‖².
 
     Parameters
     ----------
     coefficient
-        α, 1/(N·m·s).
+        Coefficient α, 1/(N·m·s).
     """
 
     model = "energy_sink"
@@ -386,16 +395,19 @@ class EnergySink(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class FormulaTorque(Torque):
-    """A torque of formulas of time, ω, L and the attitude; :func:`torque` makes one of a function.
+    """A torque given by formulas of time, ω, L and the attitude.
+
+    :func:`torque` makes one from a function.
 
     Parameters
     ----------
     axes
-        ``"body"`` or ``"space"``: along which axes its components are.
+        Axes of the components: ``"body"`` or ``"space"``.
     torque
-        Three formulas, as scenario files have them.
+        Three formulas, as in scenario files.
     units
-        ``"checked"``: numbers have units and dimensions are checked; ``"SI"``: all numbers are in SI, and nothing is checked.
+        Units of numbers: ``"checked"``, with units and a check of dimensions, or ``"SI"``, without
+        a check.
     """
 
     model = "formula"
@@ -406,21 +418,25 @@ class FormulaTorque(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class FunctionTorque(Torque):
-    """A torque that Python computes, at each step, from numbers: for what :func:`torque` cannot make a formula of.
+    """A torque that a Python function computes at each step.
 
-    It has no power series, so DOP853 integrates it, and no file can hold it. It acts always: the function knows the time.
+    Use it for laws that :func:`torque` cannot trace.
+
+    It has no power series, so DOP853 integrates it. No file can hold it. It always acts; the
+    function receives the time.
 
     Parameters
     ----------
     law
-        A function as that of :func:`torque`; it is called with numbers and arrays, at each stage of each step. What it raises is raised by
-        :func:`polhode.simulate`.
+        A function with the parameters described in :func:`torque`. It is called with numbers and
+        arrays at each stage of each step. :func:`polhode.simulate` raises its exceptions.
     axes
-        ``"body"`` or ``"space"``: along which axes its components are.
+        Axes of the components: ``"body"`` or ``"space"``.
     vectorized
-        Whether one call is for many members of a :class:`polhode.Ensemble`, n of them: t (n,), ω, L and the torque that it gives (n, 3), the attitude n
-        turns, and ``member`` (n,), their numbers from 0, which it may ask for besides. They are at times of their own, those that have come to the end are
-        left out, and the torque of one must not depend on the others.
+        If true, one call computes many members of a :class:`polhode.Ensemble`, n of them: t (n,),
+        ω, L and the returned torque (n, 3), and the attitude of n rotations. The function may also
+        take ``member`` (n,), their indices from 0. Each member has its own time, finished members
+        are absent, and the torque of a member must not depend on the others.
 
     Examples
     --------
@@ -435,7 +451,7 @@ class FunctionTorque(Torque):
     >>> float(polhode.simulate(pushed).omega[-1, 2].round(12))
     0.4
 
-    Of a thousand bodies, each with a drag of its own, in some hundred calls:
+    A thousand bodies, each with its own drag, computed in about a hundred calls:
 
     >>> import numpy as np
     >>> rng = np.random.default_rng(1)
@@ -459,25 +475,25 @@ class FunctionTorque(Torque):
             raise PolhodeError("a FunctionTorque has no from_, until or pulses: its function knows the time")
 
     def to_dict(self) -> dict[str, Any]:
-        """What stands for it in a text: nothing, by its name."""
+        """Returns a zero torque of the same name, for texts, which cannot hold the function."""
         named = {key: value for key, value in (("name", self.name), ("on", self.on)) if value is not None}
         return {"model": "constant", **named, "axes": self.axes, "torque": [0.0, 0.0, 0.0]}
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class TorqueTable(Torque):
-    """A torque that was measured: a CSV or Parquet file with ``time_s`` and ``torque_x_n_m`` …
+    """A measured torque: a CSV or Parquet file with the columns ``time_s`` and ``torque_x_n_m`` …
 
     Parameters
     ----------
     axes
-        ``"body"`` or ``"space"``.
+        Axes of the components: ``"body"`` or ``"space"``.
     table
-        The file.
+        Path of the file.
     interpolation
-        ``"steps"``, ``"linear"`` or ``"spline"``.
+        Interpolation: ``"steps"``, ``"linear"`` or ``"spline"``.
     scale
-        A factor of all torques; 1 unless said.
+        Factor for all torques. The default is 1.
     """
 
     model = "table"
@@ -489,22 +505,25 @@ class TorqueTable(Torque):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Wheel(Section):
-    """A symmetric wheel whose axis is fixed in the body; the body's tensor holds the wheel's, as if it were locked.
+    """A symmetric wheel whose axis is fixed in the body.
+
+    The tensor of the body includes the wheel as if it were locked.
 
     Parameters
     ----------
     axis
-        (3,), body axes.
+        Axis (3,), body axes.
     momentum
-        Along the axis at t = 0, N·m·s.
+        Momentum along the axis at t = 0, N·m·s.
     inertia, speed
-        Instead: about the axis, kg·m², and relative to the body, rad/s.
+        Instead of ``momentum``: moment of inertia about the axis, kg·m², and speed relative to the
+        body, rad/s.
     motor_torque
-        On the wheel along its axis, N·m; without one its speed is held.
+        Torque on the wheel along its axis, N·m. Without a motor torque, the speed is constant.
     from_, until
-        When the motor acts, s.
+        Interval in which the motor acts, s.
     name
-        What reports call it.
+        Name of the wheel in reports.
     """
 
     table = "wheel"
@@ -520,30 +539,34 @@ class Wheel(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Event(Section):
-    """Something that is measured and passes a value.
+    """An event: a measure passes a value.
 
     Parameters
     ----------
     measure
-        ``"omega_body_z"``, ``"kinetic_energy"``, ``"angle"``, ``"nutation"``, ``"formula"`` and so on; or a function of the state, whose parameters are
-        those of a law of :func:`torque` without ``kinetic_energy``, that gives a number. Python calls it with numbers and arrays along the motion; its
-        changes of sign are found as those of other measures. It should be continuous, and no file can hold it. What it raises is raised by :func:`polhode.simulate`.
+        ``"omega_body_z"``, ``"kinetic_energy"``, ``"angle"``, ``"nutation"``, ``"formula"`` and
+        others; or a function of the state that returns a number. Its parameters are those described
+        in :func:`torque`, without ``kinetic_energy``. Python calls it with numbers and arrays along
+        the motion, and its sign changes are found as for other measures. It should be continuous,
+        and no file can hold it. :func:`polhode.simulate` raises its exceptions.
     value
-        That it passes, in SI or with its unit; of a function a number, 0 unless said.
+        Value that the measure passes, in SI units or with its unit; for a function a number, by
+        default 0.
     direction
-        ``"rising"``, ``"falling"`` or ``"either"``.
+        Direction of the change: ``"rising"``, ``"falling"`` or ``"either"``.
     then
-        ``"record"``, ``"stop"``, or ``{"switch": "a torque", "on": False}``.
+        Action: ``"record"``, ``"stop"``, or ``{"switch": "a torque", "on": False}``.
     between
-        Two directions, of the measure ``"angle"``: ``{"body": [0, 0, 1]}`` and one of ``{"space": …}``, ``"nadir"``, ``"momentum"`` …
+        Two directions for the measure ``"angle"``: ``{"body": [0, 0, 1]}`` and one of
+        ``{"space": …}``, ``"nadir"``, ``"momentum"`` …
     formula
-        A formula of the state, of the measure ``"formula"``.
+        Formula of the state for the measure ``"formula"``.
     name
-        What results call it.
+        Name of the event in results.
 
     Examples
     --------
-    When the body's z axis is within half a radian of where it began:
+    Motion until the body's z axis has departed by half a radian from its initial direction:
 
     >>> import numpy as np, polhode
     >>> from polhode.scenario import Event, Run, Start
@@ -577,7 +600,7 @@ class Event(Section):
             if self.between is not None or self.formula is not None:
                 raise PolhodeError("Event: between and formula mean nothing beside a function")
             object.__setattr__(self, "value", _arrays.number("event.value", 0.0 if self.value is None else self.value))
-            # What stands for it where values are made plain.
+            # A placeholder while values are converted.
             object.__setattr__(self, "measure", "formula")
             super().__post_init__()
             object.__setattr__(self, "measure", measure)
@@ -585,23 +608,27 @@ class Event(Section):
         super().__post_init__()
 
     def to_dict(self) -> dict[str, Any]:
-        """The keys of the table and their values, as files have them; for a function a formula stands that passes nothing."""
+        """Returns the keys of the table and their values, as in files.
+
+        A function is replaced by a formula that never passes the value.
+        """
         table = super().to_dict()
         return {**table, "measure": "formula", "formula": "0"} if callable(self.measure) else table
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Pointing(Section):
-    """An angle that is of interest.
+    """A pointing angle to report: the angle between a direction of the body and a target.
 
     Parameters
     ----------
     name
-        Letters, digits and ``_``.
+        Name of letters, digits and ``_``.
     body
-        A direction of the body (3,).
+        Direction in the body (3,).
     to
-        ``"nadir"``, ``"velocity"``, ``"orbit_normal"``, ``"field"``, or ``{"space": [x, y, z]}``.
+        Target: ``"nadir"``, ``"velocity"``, ``"orbit_normal"``, ``"field"``, or
+        ``{"space": [x, y, z]}``.
     """
 
     table = "pointing"
@@ -612,30 +639,34 @@ class Pointing(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Orbit(Section):
-    """The orbit of the centre of mass: exactly one of ``altitude``, ``radius``, ``rate``, ``position`` and ``semi_major_axis``.
+    """The orbit of the centre of mass.
+
+    It takes exactly one of ``altitude``, ``radius``, ``rate``, ``position`` and
+    ``semi_major_axis``.
 
     Parameters
     ----------
     mu
-        µ = G M of the point mass, m³/s²; the Earth's unless said.
+        Gravitational parameter µ = G M of the point mass, m³/s². The default is that of the Earth.
     altitude
-        Of a circle about the Earth, above its equatorial radius, m.
+        Altitude of a circular orbit above the equatorial radius of the Earth, m.
     radius
-        Of a circle, m.
+        Radius of a circular orbit, m.
     rate
-        n of a circle, rad/s.
+        Mean motion n of a circular orbit, rad/s.
     radial, motion
-        Of a circle: where the body is at t = 0, and whereto it moves, directions (3,) along space axes.
+        For a circular orbit: directions (3,) of the position and of the motion at t = 0, space
+        axes.
     position, velocity
-        At t = 0, along space axes (3,), m and m/s.
+        Position and velocity at t = 0 (3,), space axes, m and m/s.
     semi_major_axis
-        a, m; negative of a hyperbola.
+        Semi-major axis a, m; negative for a hyperbola.
     eccentricity
-        e
+        Eccentricity e.
     inclination, node, periapsis
-        Angles, rad.
+        Inclination, longitude of the node and argument of periapsis, rad.
     mean_anomaly, true_anomaly
-        At t = 0, rad; one of them.
+        Anomaly at t = 0, rad: one of the two.
     """
 
     table = "orbit"
@@ -658,22 +689,25 @@ class Orbit(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Surface(Section):
-    """What a body touches the ground with; it is convex, and the centre of mass lies in it.
+    """The surface with which a body touches the ground.
+
+    It is convex and contains the centre of mass.
 
     Parameters
     ----------
     shape
-        ``"sphere"``, ``"ellipsoid"``, ``"rim"`` or ``"cylinder"``.
+        Shape: ``"sphere"``, ``"ellipsoid"``, ``"rim"`` or ``"cylinder"``.
     radius
-        Of a sphere, of a cylinder, of the circle of a rim, m.
+        Radius of a sphere, of a cylinder, or of the circle of a rim, m.
     semi_axes
-        Of an ellipsoid (3,), m.
+        Semi-axes of an ellipsoid (3,), m.
     tube, thickness
-        Of a rim: the radius of the tube round its circle, and the distance of the two rims of a thick disk, m.
+        For a rim: radius of the tube around its circle, and distance of the two rims of a thick
+        disk, m.
     length
-        Of a cylinder, m.
+        Length of a cylinder, m.
     position, rotate
-        Its centre (3,), body axes, m, and how it is turned.
+        Centre (3,), body axes, m, and rotation of the surface.
     """
 
     table = "surface"
@@ -689,20 +723,21 @@ class Surface(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Ground(Section):
-    """What a body touches; its centre is the origin of space.
+    """The ground that a body touches. Its centre is the origin of space.
 
     Parameters
     ----------
     shape
-        ``"plane"``, ``"sphere"`` or ``"cylinder"``.
+        Shape: ``"plane"``, ``"sphere"`` or ``"cylinder"``.
     normal
-        Of a plane (3,), towards the body; +z unless said.
+        Normal of a plane (3,), towards the body. The default is +z.
     slope
-        Instead: how steep it goes down towards +x, rad.
+        Instead of ``normal``: downward slope towards +x, rad.
     radius, side, axis
-        Of a sphere or a cylinder: m, ``"inside"`` or ``"outside"``, and a direction (3,).
+        For a sphere or a cylinder: radius, m, ``"inside"`` or ``"outside"``, and the direction of
+        the axis (3,).
     rate
-        How fast it turns about its normal or axis, rad/s.
+        Rate of rotation of the ground about its normal or axis, rad/s.
     """
 
     table = "ground"
@@ -717,28 +752,28 @@ class Ground(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Contact(Section):
-    """The ground on which a body rolls or slides.
+    """Contact with the ground on which a body rolls or slides.
 
     Parameters
     ----------
     surface
-        What it touches the ground with.
+        Surface of the body.
     law
-        ``"rolling"``, ``"friction"`` or ``"frictionless"``.
+        Contact law: ``"rolling"``, ``"friction"`` or ``"frictionless"``.
     ground
-        What it touches; the level plane z = 0 unless said.
+        Ground. The default is the level plane z = 0.
     friction, static_friction
-        µ and µₛ.
+        Coefficients of kinetic and static friction, µ and µₛ.
     viscous
-        Besides µ, N·s/m.
+        Coefficient of viscous friction in addition to µ, N·s/m.
     rolling_friction, pivoting_friction
-        Levers, m.
+        Moment arms of rolling and pivoting friction, m.
     gravity
-        Along space axes (3,), m/s².
+        Gravitational acceleration (3,), space axes, m/s².
     at
-        The point of the ground that is touched at t = 0 (3,), m.
+        Contact point on the ground at t = 0 (3,), m.
     rolls
-        The start rolls, where the body may slip.
+        If true, the body rolls at the start, although the law allows slip.
     """
 
     table = "contact"
@@ -763,20 +798,26 @@ class Contact(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class GimbalAxis(Section):
-    """An axis of a rotor in gimbals: how it starts, what holds it, and, of ``outer`` and ``inner``, the gimbal that turns about it.
+    """An axis of a rotor in gimbals: its initial state, constraint, and forces.
+
+    For ``outer`` and ``inner``, it also describes the gimbal that turns about the axis.
 
     Parameters
     ----------
     angle, rate
-        At t = 0, rad and rad/s; of a locked axis the angle, of a driven one the rate, always.
+        Angle and rate at t = 0, rad and rad/s. A locked axis keeps the angle, and a driven axis the
+        rate.
     locked, driven
-        A lock keeps the angle, a motor the rate.
+        If true, a lock keeps the angle, or a motor keeps the rate.
     damping, spring, rest, torque
-        N·m·s/rad, N·m/rad, the angle where the spring is at rest, rad, and a constant torque, N·m.
+        Damping, N·m·s/rad; spring stiffness, N·m/rad; rest angle of the spring, rad; constant
+        torque, N·m.
     moments, inertia, products
-        Of the gimbal, kg·m²: three moments, or a tensor (3, 3) and the sign of its products.
+        Inertia of the gimbal, kg·m²: three moments, or a tensor (3, 3) and the sign convention of
+        its products.
     mass, center_of_mass, about
-        Of a gimbal that hangs: kg, m (3,), and the point that its tensor is about.
+        For a gimbal with weight: mass, kg, centre of mass (3,), m, and reference point of its
+        tensor.
     """
 
     table = "axis"
@@ -798,7 +839,10 @@ class GimbalAxis(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class GimbalBase(Section):
-    """What carries gimbals: on the Earth at a ``latitude``, rad, or turning at a constant ``rate`` (3,), rad/s."""
+    """The base of gimbals.
+
+    It is on the Earth at a ``latitude``, rad, or rotates at a constant ``rate`` (3,), rad/s.
+    """
 
     table = "base"
     latitude: Quantity | None = None
@@ -807,22 +851,22 @@ class GimbalBase(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Gimbals(Section):
-    """Two gimbals in which the body hangs as a rotor; their axes say how it starts.
+    """Two gimbals that hold the body as a rotor. Their axes define the start.
 
     Parameters
     ----------
     outer_axis, inner_axis
         Directions (3,) in the base with all angles zero, perpendicular to each other.
     rotor_axis
-        Direction (3,) in the body; +z unless said.
+        Direction (3,) in the body. The default is +z.
     crossing
-        Where the axes cross (3,), body axes, m; the centre of mass unless said.
+        Intersection of the axes (3,), body axes, m. The default is the centre of mass.
     outer, inner, rotor
-        The axes.
+        States and properties of the axes.
     base
-        What carries them; at rest unless said.
+        Base of the gimbals. The default is a base at rest.
     gravity
-        Along the axes of the base (3,), m/s²; 9.80665 along −z unless said.
+        Gravitational acceleration (3,), base axes, m/s². The default is 9.80665 along −z.
     """
 
     table = "gimbals"
@@ -838,7 +882,7 @@ class Gimbals(Section):
 
     @classmethod
     def from_dict(cls, table: Mapping[str, Any]) -> Gimbals:
-        """A table of these keys and values."""
+        """Makes a table of these keys and values."""
         axes: tuple[tuple[str, type[Section]], ...] = (
             ("outer", GimbalAxis),
             ("inner", GimbalAxis),
@@ -850,7 +894,10 @@ class Gimbals(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Burn(Section):
-    """A part that becomes lighter at a steady rate: ``part`` by its name, ``from_`` and ``until``, s, and what is ``left``, kg."""
+    """Mass loss of a part at a constant rate.
+
+    ``part`` is its name, ``from_`` and ``until`` the interval, s, and ``left`` the final mass, kg.
+    """
 
     table = "burn"
     part: str
@@ -861,7 +908,7 @@ class Burn(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Drop(Section):
-    """A part that is dropped: ``part`` by its name, and the ``time``, s."""
+    """Release of a part: its name ``part``, and the ``time``, s."""
 
     table = "drop"
     part: str
@@ -870,7 +917,11 @@ class Drop(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Exit(Section):
-    """Where mass leaves: its centre ``position`` (3,), m, ``radius``, m, and ``axis`` (3,) of a disc, its ``share`` of the flow."""
+    """A disk through which mass leaves.
+
+    ``position`` (3,), m, is its centre, ``radius``, m, its radius, ``axis`` (3,) its normal, and
+    ``share`` its fraction of the flow.
+    """
 
     table = "exit"
     position: Vector
@@ -881,18 +932,20 @@ class Exit(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class MassHistory(Section):
-    """How the mass properties change with time.
+    """Change of the mass properties with time.
 
     Parameters
     ----------
     burn, drop, exit
-        Of :class:`Burn`, :class:`Drop` and :class:`Exit`.
+        Lists of :class:`Burn`, :class:`Drop` and :class:`Exit`.
     table_
-        Instead of the first two: a CSV file of the whole body at times.
+        Instead of ``burn`` and ``drop``: a CSV file with the mass properties of the whole body at
+        times.
     products
-        What its products are: ``"negative_integral"`` or ``"positive_integral"``.
+        Sign convention of the products in the file: ``"negative_integral"`` or
+        ``"positive_integral"``.
     in_place
-        What leaves stays where it was, with the velocity that it has there.
+        If true, mass leaves from its own position, with the velocity of the body there.
     """
 
     table = "mass_history"
@@ -905,7 +958,7 @@ class MassHistory(Section):
 
     @classmethod
     def from_dict(cls, table: Mapping[str, Any]) -> MassHistory:
-        """A table of these keys and values."""
+        """Makes a table of these keys and values."""
         kinds: tuple[tuple[str, type[Section]], ...] = (("burn", Burn), ("drop", Drop), ("exit", Exit))
         inner = {key: [kind.from_dict(one) for one in table[key]] for key, kind in kinds if key in table}
         return super().from_dict({**table, **inner})
@@ -913,20 +966,20 @@ class MassHistory(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Prescribed(Section):
-    """A motion that is given; the torque that it needs is the answer.
+    """A prescribed motion, for which the required torque is computed.
 
     Parameters
     ----------
     axis, rate, acceleration
-        About an axis (3,) fixed in the body: rad/s and rad/s².
+        Rotation about an axis (3,) fixed in the body: rad/s and rad/s².
     euler313, rates
-        φ, θ, ψ (3,) at t = 0, rad, and their constant rates, rad/s.
+        Euler angles φ, θ, ψ (3,) at t = 0, rad, and their constant rates, rad/s.
     angles, quaternion
-        Formulas of t: of φ, θ, ψ, or of w, x, y, z.
+        Formulas of t: for φ, θ, ψ, or for w, x, y, z.
     omega
-        ``{"body": …}`` or ``{"space": …}``: three formulas of t.
+        Angular velocity as three formulas of t: ``{"body": …}`` or ``{"space": …}``.
     table_, columns
-        A CSV file, and which of its columns.
+        Path of a CSV file, and the meaning of its columns.
     """
 
     table = "prescribed"
@@ -944,7 +997,10 @@ class Prescribed(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Balance(Section):
-    """Planes for correction masses: distances of ``planes`` along the shaft, m, and ``radii`` of the masses, m."""
+    """Planes for correction masses.
+
+    ``planes`` are their positions along the shaft, m, and ``radii`` those of the masses, m.
+    """
 
     table = "balance"
     planes: Sequence[Quantity]
@@ -953,22 +1009,22 @@ class Balance(Section):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Shaft(Section):
-    """A body on two bearings that turns about a line.
+    """A body on a shaft in two bearings.
 
     Parameters
     ----------
     axis
-        (3,), body axes.
+        Axis of the shaft (3,), body axes.
     bearings
-        Where they are along the axis (2,), m.
+        Positions of the bearings along the axis (2,), m.
     rate
-        rad/s
+        Rate of rotation, rad/s.
     point
-        On the axis (3,), body axes, m.
+        Point on the axis (3,), body axes, m.
     acceleration
-        rad/s²
+        Angular acceleration, rad/s².
     gravity
-        Along space axes (3,), m/s²; none unless said.
+        Gravitational acceleration (3,), space axes, m/s². The default is no gravity.
     balance
         Planes for correction masses.
     """
@@ -984,21 +1040,21 @@ class Shaft(Section):
 
     @classmethod
     def from_dict(cls, table: Mapping[str, Any]) -> Shaft:
-        """A table of these keys and values."""
+        """Makes a table of these keys and values."""
         inner = {"balance": Balance.from_dict(table["balance"])} if "balance" in table else {}
         return super().from_dict({**table, **inner})
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Pendulum(Section):
-    """The axis from which a body hangs under :class:`Gravity`.
+    """The axis of a body that swings under :class:`Gravity`.
 
     Parameters
     ----------
     axis
-        (3,), body axes, through the pivot.
+        Axis through the pivot (3,), body axes.
     amplitude
-        Of the swing, below π, rad; that of the start unless said.
+        Amplitude of the swing, below π, rad. The default follows from the start.
     """
 
     table = "pendulum"
@@ -1007,22 +1063,24 @@ class Pendulum(Section):
 
 
 def torque(law: Any, *, axes: str = "body", **others: Any) -> FormulaTorque:
-    """A torque of your own, from a function of the state that gives three components, N·m.
+    """Makes a torque from a function of the state that returns three components, N·m.
 
-    The function is called once, with symbols, for those of its parameters that have no default: ``t``, s; ``omega``, ``omega_space``: ω along body
-    axes and along those of space (3,), rad/s; ``momentum``, ``momentum_space``: L (3,), N·m·s; ``kinetic_energy``, J; and ``attitude``, which has
-    ``as_matrix()``, ``as_quat()`` and ``apply(vector, inverse=False)`` as SciPy's rotations have. Operators and NumPy's functions make formulas of
-    them, which are integrated as built-in torques are, in ensembles too. All numbers are in SI. :func:`where` chooses; a function that branches on a
-    symbol is refused.
+    The function is called once, with symbols for its parameters that have no default: ``t``, s;
+    ``omega`` and ``omega_space``, angular velocity (3,) in body and space axes, rad/s; ``momentum``
+    and ``momentum_space``, angular momentum (3,), N·m·s; ``kinetic_energy``, J; and ``attitude``,
+    with ``as_matrix()``, ``as_quat()`` and ``apply(vector, inverse=False)`` as in SciPy's
+    rotations. Operators and NumPy functions of symbols give formulas, which are integrated like
+    built-in torques, also in ensembles. All numbers are in SI units. Use :func:`where` for a
+    choice; a function that branches on a symbol is refused.
 
     Parameters
     ----------
     law
-        The function.
+        Function of the state.
     axes
-        ``"body"`` or ``"space"``: along which axes the components are.
+        Axes of the components: ``"body"`` or ``"space"``.
     others
-        What every :class:`Torque` may have.
+        Further arguments of :class:`Torque`.
 
     Examples
     --------

@@ -1,7 +1,8 @@
-"""Shapes with closed-form integrals, as mass properties in their own axes.
+"""Mass properties of shapes with closed-form integrals, in their own axes.
 
-Each takes what it is made of: ``density`` (kg/m³), ``mass`` (kg) or ``material`` (a name, such as ``"steel"``), exactly one; thin shapes
-``mass``, or ``area_density`` (kg/m²) or ``line_density`` (kg/m). Lengths are in m. ``placed`` puts them elsewhere, ``+`` joins them.
+Each function takes exactly one of ``density`` (kg/m³), ``mass`` (kg) and ``material`` (a name, such
+as ``"steel"``). Thin shapes take ``mass``, ``area_density`` (kg/m²) or ``line_density`` (kg/m).
+Lengths are in m. ``placed`` moves a shape, and ``+`` joins shapes.
 
 >>> from polhode import shapes
 >>> shapes.sphere(radius=0.02, mass=0.5).inertia[0, 0].round(9)
@@ -26,7 +27,7 @@ def _shape(kind: str, lengths: Sequence[float], substance: Given, *, ends: bool 
 def box(
     *, size: npt.ArrayLike, density: float | None = None, mass: float | None = None, material: str | None = None
 ) -> MassProperties:
-    """A solid box of edges ``size`` (3,) along x, y and z, about its centre.
+    """Returns a solid box with edges ``size`` (3,) along x, y and z, centred at the origin.
 
     >>> from polhode import shapes
     >>> shapes.box(size=[0.2, 0.1, 0.06], density=1800).mass
@@ -36,14 +37,17 @@ def box(
 
 
 def box_shell(*, size: npt.ArrayLike, mass: float | None = None, area_density: float | None = None) -> MassProperties:
-    """The six thin faces of a box of edges ``size`` (3,), about its centre."""
+    """Returns the six thin faces of a box with edges ``size`` (3,), centred at the origin."""
     return _shape("box_shell", _arrays.triple("size", size), given(mass=mass, area_density=area_density))
 
 
 def capsule(
     *, radius: float, length: float, density: float | None = None, mass: float | None = None, material: str | None = None
 ) -> MassProperties:
-    """A cylinder along z of ``length`` with half a ball at either end, about its centre."""
+    """Returns a cylinder along z with a half ball at each end, centred at the origin.
+
+    ``length`` is that of the cylinder without the half balls.
+    """
     lengths = [_arrays.number("radius", radius), _arrays.number("length", length)]
     return _shape("capsule", lengths, given(density=density, mass=mass, material=material))
 
@@ -57,7 +61,7 @@ def cone(
     mass: float | None = None,
     material: str | None = None,
 ) -> MassProperties:
-    """A cone or a truncated one along z: its base at z = 0, its top at z = ``height``."""
+    """Returns a cone or a truncated cone along z: its base at z = 0, its top at z = ``height``."""
     lengths = [
         _arrays.number("base_radius", base_radius),
         _arrays.number("top_radius", top_radius),
@@ -75,7 +79,9 @@ def cone_shell(
     mass: float | None = None,
     area_density: float | None = None,
 ) -> MassProperties:
-    """The thin wall of a cone or a truncated one along z, with its ends or open: its base at z = 0, its top at z = ``height``.
+    """Returns the thin wall of a cone or a truncated cone along z, open or with ends.
+
+    Its base is at z = 0, and its top at z = ``height``.
 
     >>> from polhode import shapes
     >>> shapes.cone_shell(base_radius=0.3, height=0.6, mass=2.0).center_of_mass[2].round(12)
@@ -98,7 +104,9 @@ def cylinder(
     mass: float | None = None,
     material: str | None = None,
 ) -> MassProperties:
-    """A cylinder along z, about its centre: solid, or with a coaxial bore of ``inner_radius``.
+    """Returns a cylinder along z, centred at the origin.
+
+    It is solid, or has a coaxial bore of ``inner_radius``.
 
     >>> from polhode import shapes
     >>> shapes.cylinder(radius=0.5, inner_radius=0.4, length=0.1, mass=8.0).inertia[2, 2].round(12)
@@ -115,30 +123,30 @@ def cylinder(
 def cylinder_shell(
     *, radius: float, length: float, ends: bool = False, mass: float | None = None, area_density: float | None = None
 ) -> MassProperties:
-    """The thin wall of a cylinder along z, with its ends or open, about its centre."""
+    """Returns the thin wall of a cylinder along z, open or with ends, centred at the origin."""
     lengths = [_arrays.number("radius", radius), _arrays.number("length", length)]
     return _shape("cylinder_shell", lengths, given(mass=mass, area_density=area_density), ends=_arrays.truth("ends", ends))
 
 
 def disk(*, radius: float, mass: float | None = None, area_density: float | None = None) -> MassProperties:
-    """A thin disk in the x-y plane, about its centre."""
+    """Returns a thin disk in the x-y plane, centred at the origin."""
     return _shape("disk", [_arrays.number("radius", radius)], given(mass=mass, area_density=area_density))
 
 
 def ellipsoid(
     *, semi_axes: npt.ArrayLike, density: float | None = None, mass: float | None = None, material: str | None = None
 ) -> MassProperties:
-    """A solid ellipsoid of ``semi_axes`` (3,) along x, y and z, about its centre."""
+    """Returns a solid ellipsoid with ``semi_axes`` (3,) along x, y and z, centred at the origin."""
     return _shape("ellipsoid", _arrays.triple("semi_axes", semi_axes), given(density=density, mass=mass, material=material))
 
 
 def plate(*, size: npt.ArrayLike, mass: float | None = None, area_density: float | None = None) -> MassProperties:
-    """A thin rectangular plate of edges ``size`` (2,) along x and y, about its centre."""
+    """Returns a thin plate with edges ``size`` (2,) along x and y, centred at the origin."""
     return _shape("plate", _arrays.numbers("size", size, (2,)).tolist(), given(mass=mass, area_density=area_density))
 
 
 def rod(*, length: float, mass: float | None = None, line_density: float | None = None) -> MassProperties:
-    """A thin rod along z, about its centre."""
+    """Returns a thin rod along z, centred at the origin."""
     return _shape("rod", [_arrays.number("length", length)], given(mass=mass, line_density=line_density))
 
 
@@ -150,20 +158,23 @@ def sphere(
     mass: float | None = None,
     material: str | None = None,
 ) -> MassProperties:
-    """A ball, about its centre: solid, or with a concentric cavity of ``inner_radius``."""
+    """Returns a ball, centred at the origin.
+
+    It is solid, or has a concentric cavity of ``inner_radius``.
+    """
     lengths = [_arrays.number("radius", radius), _arrays.number("inner_radius", inner_radius)]
     return _shape("sphere", lengths, given(density=density, mass=mass, material=material))
 
 
 def sphere_shell(*, radius: float, mass: float | None = None, area_density: float | None = None) -> MassProperties:
-    """A thin spherical shell, about its centre."""
+    """Returns a thin spherical shell, centred at the origin."""
     return _shape("sphere_shell", [_arrays.number("radius", radius)], given(mass=mass, area_density=area_density))
 
 
 def tetrahedron(
     *, vertices: npt.ArrayLike, density: float | None = None, mass: float | None = None, material: str | None = None
 ) -> MassProperties:
-    """A solid tetrahedron of four ``vertices`` (4, 3), where they are."""
+    """Returns a solid tetrahedron with the given ``vertices`` (4, 3)."""
     lengths = _arrays.numbers("vertices", vertices, (4, 3)).ravel().tolist()
     return _shape("tetrahedron", lengths, given(density=density, mass=mass, material=material))
 
@@ -176,13 +187,16 @@ def torus(
     mass: float | None = None,
     material: str | None = None,
 ) -> MassProperties:
-    """A solid torus about z: the middle of its tube is a ring of ``ring_radius``."""
+    """Returns a solid torus about z, centred at the origin.
+
+    The centre line of its tube has the radius ``ring_radius``.
+    """
     lengths = [_arrays.number("ring_radius", ring_radius), _arrays.number("tube_radius", tube_radius)]
     return _shape("torus", lengths, given(density=density, mass=mass, material=material))
 
 
 def triangular_plate(*, vertices: npt.ArrayLike, mass: float | None = None, area_density: float | None = None) -> MassProperties:
-    """A thin triangular plate in the x-y plane of three ``vertices`` (3, 2), where they are.
+    """Returns a thin triangular plate in the x-y plane with the given ``vertices`` (3, 2).
 
     >>> from polhode import shapes
     >>> shapes.triangular_plate(vertices=[[0, 0], [0.3, 0], [0, 0.6]], mass=2.0).inertia[0, 1].round(12)
@@ -195,6 +209,9 @@ def triangular_plate(*, vertices: npt.ArrayLike, mass: float | None = None, area
 def triangular_prism(
     *, vertices: npt.ArrayLike, length: float, density: float | None = None, mass: float | None = None, material: str | None = None
 ) -> MassProperties:
-    """A solid triangular prism along z: three ``vertices`` (3, 2), where they are, from z = −``length``/2 to ``length``/2."""
+    """Returns a solid triangular prism along z, from z = −``length``/2 to ``length``/2.
+
+    Its cross-section has the given ``vertices`` (3, 2).
+    """
     lengths = [*_arrays.numbers("vertices", vertices, (3, 2)).ravel().tolist(), _arrays.number("length", length)]
     return _shape("triangular_prism", lengths, given(density=density, mass=mass, material=material))

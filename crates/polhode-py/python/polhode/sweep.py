@@ -1,11 +1,13 @@
-"""Sweeps: all members of a plan, in this process or on a cluster, into a folder; it needs PyArrow.
+"""Sweeps: computation of all members of a plan into a folder, locally or on a cluster. Requires
+PyArrow.
 
-``python -m polhode.sweep PLAN.toml -o DIR --on dask://HOST:PORT`` is what ``polhode sweep --on`` calls.
+``polhode sweep --on`` calls ``python -m polhode.sweep PLAN.toml -o DIR --on dask://HOST:PORT``.
 
-The folder is divided into parts by the plan alone. A cluster computes the parts that are missing, each a pure function of the plan and the
-part's members, and this process writes them, durably and through the same code as the program without a cluster: so the files have the
-same bytes, whatever happens to workers on the way. Which worker does what, and what is done again because a worker was lost, is
-the engine's business: Dask's or Ray's. A part that Dask gives up with its workers is handed to it again, within ``_cluster.LOST_WORKERS``.
+The division of the folder into parts depends only on the plan. A cluster computes the missing
+parts, each a pure function of the plan and the part's members. This process writes them, durably
+and with the same code as without a cluster, so the files are byte-identical whatever happens to
+workers. The engine, Dask or Ray, assigns parts to workers and repeats those of lost workers. A part
+that Dask gives up is submitted again, within ``_cluster.LOST_WORKERS``.
 """
 
 from __future__ import annotations
@@ -24,16 +26,16 @@ from .batch import Plan
 import pyarrow as pa  # after batch, which says how to install it
 from ._parts import Done, Parts
 
-#: Engines, and what installs them.
+#: Engines, and the packages that pip must install for them.
 _ENGINES = {"dask": "distributed", "ray": "ray[data,client]"}
 
 
 class Summary(NamedTuple):
-    """What a sweep came to."""
+    """Summary of a sweep."""
 
-    #: The object that is ``summary.json``.
+    #: Contents of ``summary.json``.
     summary: dict[str, Any]
-    #: The same for people.
+    #: Summary as text.
     text: str
 
     def __str__(self) -> str:
@@ -55,15 +57,46 @@ def run(
     progress: Callable[[int, int], object] = lambda done, members: None,
     worker_timeout: float | None = 600.0,
 ) -> Summary:
-    """Computes a plan into the folder ``output``.
+    """Computes the members of a plan into the folder ``output``.
 
-    ``on`` is where: ``None`` for threads of this process, ``"dask://HOST:PORT"`` or ``"ray://HOST:PORT"`` for a cluster, ``"dask://local"`` or
-    ``"ray://local"`` for one that is started here and ends with the sweep. ``threads``, of this process, and ``workers``, processes of a local
-    cluster, are as many as this process may use processors unless you say otherwise. ``resume`` goes on with what is there, ``force`` throws it away.
-    ``progress`` is told how many members are done, and of how many.
+    Parameters
+    ----------
+    plan
+        Plan, or path of its file.
+    output
+        Folder for the results.
+    on
+        Where to compute: ``None`` for threads of this process, ``"dask://HOST:PORT"`` or
+        ``"ray://HOST:PORT"`` for a cluster, and ``"dask://local"`` or ``"ray://local"`` for a
+        cluster that is started on this machine and ends with the sweep.
+    threads
+        Number of threads of this process. The default is all processors available to it.
+    workers
+        Number of processes of a local cluster. The default is all processors available to this
+        process.
+    resume
+        If true, continues with existing results.
+    force
+        If true, deletes existing results.
+    progress
+        Function that receives the number of finished members and the number of all members.
+    worker_timeout
+        Time without a worker after which the sweep gives up, s; ``None`` for no limit. A warning
+        is issued earlier.
 
-    A cluster that is lost is a ``ConnectionError``; one that has no worker is warned of, and after ``worker_timeout`` seconds (``None``: never)
-    a ``TimeoutError``. What is done by then is kept.
+    Returns
+    -------
+    Summary
+        Summary of the results.
+
+    Raises
+    ------
+    PolhodeError
+        If an argument or the plan is invalid.
+    ConnectionError
+        If the cluster is lost. Finished parts are kept.
+    TimeoutError
+        If the cluster has had no worker for ``worker_timeout``. Finished parts are kept.
     """
     plan = plan if isinstance(plan, Plan) else Plan(_arrays.path("plan", plan))
     if all([_arrays.truth("resume", resume), _arrays.truth("force", force)]):
@@ -94,13 +127,13 @@ def run(
                 progress(done, plan.members)
         summary, text = dataset.finish(plan._native, _native.available_threads())
     finally:
-        # Else what an error remembers would keep the folder locked.
+        # Otherwise the traceback of an error would keep the folder locked.
         del dataset
     return Summary(json.loads(summary), text)
 
 
 def _engine(on: str, timeout: float | None) -> Callable[[Plan, Parts, int], Iterator[Done]]:
-    """The engine of an address: what computes parts, in any order."""
+    """Returns the engine of an address: a function that computes parts, in any order."""
     kind, _, address = _arrays.text("on", on).partition("://")
     if kind not in _ENGINES or not address:
         raise PolhodeError(f"on = {on!r} is no cluster", "write dask://HOST:PORT, ray://HOST:PORT, dask://local or ray://local")
@@ -115,7 +148,7 @@ def _engine(on: str, timeout: float | None) -> Callable[[Plan, Parts, int], Iter
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """The command; gives its exit status."""
+    """Runs the command and returns its exit status."""
     parser = argparse.ArgumentParser(prog="python -m polhode.sweep", description="Compute a plan, on a cluster or here.")
     parser.add_argument("plan", metavar="PLAN", help="a TOML file with a [sweep] and a [run] section")
     parser.add_argument("-o", "--output", metavar="DIR", help="the folder to write [default: the plan's name, here]")

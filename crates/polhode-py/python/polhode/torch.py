@@ -1,12 +1,14 @@
-"""Free motion and mass properties as functions of PyTorch tensors, with their exact derivatives.
+"""Free motion and mass properties as functions of PyTorch tensors, with exact derivatives.
 
-They go with ``backward``, ``torch.autograd``, forward mode, and ``torch.func``. Values and partial derivatives are those of
-:class:`polhode.FreeMotion`, :func:`polhode.particle_derivatives`, :func:`polhode.mesh_derivatives` and :meth:`polhode.Body.derivatives`, in closed form: no
-integrator is differentiated through. They are computed on the CPU, in float64: what is given in fewer bits is converted, and what is given on another device comes
-back there. What is found is float64. Derivatives of derivatives are refused.
+They work with ``backward``, ``torch.autograd``, forward mode, and ``torch.func``. Values and
+partial derivatives are those of :class:`polhode.FreeMotion`, :func:`polhode.particle_derivatives`,
+:func:`polhode.mesh_derivatives` and :meth:`polhode.Body.derivatives`, in closed form, without
+differentiating an integrator. They are computed on the CPU, in float64. Arguments of lower
+precision are converted, and results are float64. If an argument is on another device, the result is
+moved there. Second derivatives are refused.
 """
 
-# Where PyTorch is not installed, pyright takes this module for it.
+# If PyTorch is not installed, pyright takes this module for it.
 # pyright: reportAttributeAccessIssue=false
 
 from __future__ import annotations
@@ -23,33 +25,33 @@ __all__ = ["Motion", "Properties", "body", "free_motion", "mesh", "particles"]
 
 
 def free_motion(inertia: Any, attitude: Any, omega: Any, times: Any) -> Motion:
-    """The torque-free motion of a body, as :class:`polhode.FreeMotion` has it.
+    """Computes the torque-free motion of a body, as :class:`polhode.FreeMotion`.
 
     Parameters
     ----------
     inertia
-        The inertia tensor (3, 3) about the centre of mass, along body axes, kg·m², symmetric.
+        Inertia tensor (3, 3) about the centre of mass, body axes, kg·m², symmetric.
     attitude
-        R_space_body at t = 0 as a quaternion (4,): w, x, y, z, of any length but zero.
+        Attitude R_space_body at t = 0 as a quaternion (4,): w, x, y, z, of any nonzero norm.
     omega
-        ω (3,) at t = 0 along body axes, rad/s.
+        Angular velocity (3,) at t = 0, body axes, rad/s.
     times
-        Times (n,), s: any, in any order, before the start too; or a single one.
+        Times (n,), s, in any order, also before the start; or a single time.
 
     Returns
     -------
     Motion
-        ``omega`` (n, 3), along body axes, rad/s, and ``attitude`` (n, 4), unit quaternions; of a single time (3,) and (4,). Leading axes of the arguments
-        are a batch, and are broadcast.
+        ``omega`` (n, 3), body axes, rad/s, and ``attitude`` (n, 4), unit quaternions. For a single
+        time, (3,) and (4,). Leading axes of the arguments are a batch and are broadcast.
 
     Notes
     -----
-    Derivatives are by all four arguments. What those by a quaternion and by a symmetric tensor mean, and which sign quaternions have, is as of
-    :func:`polhode.jax.free_motion`.
+    Derivatives are by all four arguments. :func:`polhode.jax.free_motion` describes derivatives by
+    a quaternion and by a symmetric tensor, and the signs of quaternions.
 
     Examples
     --------
-    The gradient of the angle between where a body points after 7 s and where it should:
+    Gradient of the angle between the attitude after 7 s and a target:
 
     >>> import torch, polhode.torch
     >>> inertia = torch.tensor([[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]], dtype=torch.float64)
@@ -67,9 +69,12 @@ def free_motion(inertia: Any, attitude: Any, omega: Any, times: Any) -> Motion:
 
 
 def particles(masses: Any, positions: Any) -> Properties:
-    """The mass properties of points: ``masses`` (n,), kg, positive, at ``positions`` (n, 3), m.
+    """Computes the mass properties of point masses.
 
-    Mass, centre of mass (3,), and the inertia tensor (3, 3) about it, along the axes of the positions. Leading axes are a batch.
+    ``masses`` (n,), kg, are positive, and ``positions`` (n, 3) are in m.
+
+    The result is the mass, the centre of mass (3,), and the inertia tensor (3, 3) about it, along
+    the axes of the positions. Leading axes are a batch.
 
     >>> import torch, polhode.torch
     >>> positions = torch.tensor([[0.0, 0, 0], [0, 0, 2]], dtype=torch.float64, requires_grad=True)
@@ -81,16 +86,19 @@ def particles(masses: Any, positions: Any) -> Properties:
 
 
 def mesh(vertices: Any, triangles: Any, density: Any) -> Properties:
-    """The mass properties of the solid that triangles bound, as :func:`polhode.mesh_derivatives` has them.
+    """Computes the mass properties of a solid bounded by triangles.
+
+    See :func:`polhode.mesh_derivatives`.
 
     Parameters
     ----------
     vertices
         Vertices (n, 3), m.
     triangles
-        The numbers of three of them for each triangle (m, 3), from 0: integers, by which there are no derivatives.
+        Indices from 0 of three vertices for each triangle (m, 3). They are integers and have no
+        derivatives.
     density
-        kg/m³.
+        Density, kg/m³.
 
     Returns
     -------
@@ -110,16 +118,17 @@ def mesh(vertices: Any, triangles: Any, density: Any) -> Properties:
 
 
 def body(masses: Any, centers_of_mass: Any, inertias: Any) -> Properties:
-    """The mass properties of parts that are rigidly joined.
+    """Computes the mass properties of rigidly joined parts.
 
     Parameters
     ----------
     masses
-        Of each part (p,), kg.
+        Masses of the parts (p,), kg.
     centers_of_mass
-        Their centres of mass (p, 3), m.
+        Centres of mass of the parts (p, 3), m.
     inertias
-        Their inertia tensors (p, 3, 3), each about the part's own centre of mass, along the axes that all share, kg·m². A gradient by them is symmetric.
+        Inertia tensors of the parts (p, 3, 3), each about the part's own centre of mass, along
+        common axes, kg·m². A gradient by them is symmetric.
 
     Returns
     -------
@@ -128,7 +137,7 @@ def body(masses: Any, centers_of_mass: Any, inertias: Any) -> Properties:
 
     Examples
     --------
-    A part that is further out by 1 m takes the centre of mass with it by its share of the mass:
+    Moving a part outwards by 1 m moves the centre of mass by the part's share of the mass:
 
     >>> import torch, polhode.torch
     >>> centers = torch.tensor([[0.0, 0.0, 0.3], [0.0, 0.0, 0.15]], dtype=torch.float64, requires_grad=True)
@@ -144,9 +153,9 @@ def _properties(numbers: Any) -> Properties:
 
 
 def _tensor(name: str, value: Any) -> Any:
-    """An argument as a tensor of float64, or of whole numbers."""
+    """Converts an argument to a tensor of float64 or of integers."""
     if not isinstance(value, torch.Tensor):
-        # A copy, as what was given may change before the derivatives are wanted.
+        # A copy, because the original may change before the derivatives are computed.
         value = torch.tensor(value if name == "triangles" else _arrays.real(name, value))
     if value.dtype == torch.bool or value.is_complex() or value.is_quantized:
         raise TypeError(f"{name} must be real numbers, not {value.dtype}")
@@ -167,7 +176,7 @@ def _on_host(tensors: Sequence[Any]) -> list[Any]:
 
 
 def _batched(call: Any, first: tuple[Any, ...], in_dims: tuple[int | None, ...], given: tuple[Any, ...]) -> Any:
-    """A call of which some arguments have one axis more: it goes first, as all others of the batch do."""
+    """Applies a call whose arguments have an additional batch axis, which is moved to the front."""
     count = next(tensor.shape[axis] for tensor, axis in zip(given, in_dims) if axis is not None)
     moved = [
         tensor.expand(count, *tensor.shape) if axis is None else tensor.movedim(axis, 0) for tensor, axis in zip(given, in_dims)
@@ -176,7 +185,7 @@ def _batched(call: Any, first: tuple[Any, ...], in_dims: tuple[int | None, ...],
 
 
 class _Call(torch.autograd.Function):  # type: ignore[misc]
-    """A function and its derivatives: the product of partial derivatives with tangents, or with cotangents."""
+    """A function whose derivatives are products of partial derivatives with (co)tangents."""
 
     @staticmethod
     def forward(function: Function, *given: Any) -> Any:
@@ -209,7 +218,10 @@ class _Call(torch.autograd.Function):  # type: ignore[misc]
 
 
 class _Partials(torch.autograd.Function):  # type: ignore[misc]
-    """The partial derivatives, which have none themselves: marked with ``once_differentiable`` they would pass for constants, and a Hessian for zero."""
+    """Partial derivatives, without derivatives of their own.
+
+    With ``once_differentiable`` they would count as constants, and a Hessian would be zero.
+    """
 
     @staticmethod
     def forward(function: Function, by: tuple[str, ...], *given: Any) -> tuple[Any, ...]:

@@ -1,4 +1,4 @@
-//! Answers, with the headers that keep the page to itself.
+//! Answers, with HTTP headers that isolate the page.
 
 use bytes::buf::Chain;
 use bytes::{Buf as _, Bytes};
@@ -9,10 +9,10 @@ use serde::Serialize;
 
 use crate::protocol::RefusalBody;
 
-/// An answer, whole: rows of numbers are not copied behind what comes before them.
+/// A complete answer. Rows of numbers are chained to the bytes before them, without a copy.
 pub(crate) type Answer = Response<Full<Chain<Bytes, Bytes>>>;
 
-/// Why a request is not answered.
+/// Refusal of a request, with its HTTP status.
 #[derive(Debug)]
 pub(crate) struct Refusal {
     pub(crate) status: StatusCode,
@@ -29,14 +29,14 @@ impl Refusal {
         Self { hint: Some(hint.into()), ..self }
     }
 
-    /// What is not there, or is not for this one who asks: no answer says which.
+    /// Refusal for a path that does not exist or may not be read. The answer does not say which.
     pub(crate) fn not_found() -> Self {
         Self::new(StatusCode::NOT_FOUND, "there is nothing here")
             .hint("open the address that polhode live has printed")
     }
 }
 
-/// All that the page may load and ask: what comes from this server.
+/// Content security policy: the page may load and request only resources of this server.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src data:; \
                       connect-src 'self'; worker-src blob:; media-src blob:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
 
@@ -70,8 +70,9 @@ pub(crate) fn json(value: &impl Serialize) -> Result<Answer, Refusal> {
     Ok(bytes(StatusCode::OK, "application/json", written(value)?))
 }
 
-/// JSON with rows of numbers behind it: the length of the JSON as a u64, the JSON with spaces up to a multiple of eight, and the rows. All is
-/// little-endian and aligned, so that the page reads the numbers where they are.
+/// Encodes JSON followed by rows of numbers: the length of the JSON as a u64, the JSON padded with
+/// spaces to a multiple of eight bytes, and the rows. Everything is little-endian and aligned, so
+/// that the page reads the numbers in place.
 pub(crate) fn json_and_rows(value: &impl Serialize, rows: Bytes) -> Result<Answer, Refusal> {
     const WORD: usize = size_of::<u64>();
     let mut json = written(value)?;

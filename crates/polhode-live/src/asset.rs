@@ -1,6 +1,6 @@
-//! The page's own files: the build of `viewer/`.
+//! Static files of the page: the build of `viewer/`.
 
-/// A file of the page by its name: its kind and its bytes.
+/// Returns the MIME type and the bytes of a file of the page.
 pub(crate) fn asset(name: &str) -> Option<(&'static str, &'static [u8])> {
     match name {
         "" => Some(("text/html; charset=utf-8", include_bytes!("../assets/live.html"))),

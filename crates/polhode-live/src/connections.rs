@@ -1,4 +1,4 @@
-//! Connections that are open, and which of them makes room for another.
+//! Open connections, and the choice of the connection to close for a new one.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -8,7 +8,7 @@ use tokio::task::AbortHandle;
 
 use crate::limits;
 
-/// Connections that are open: [`limits::CONNECTIONS`] at most.
+/// Open connections, at most [`limits::CONNECTIONS`].
 #[derive(Debug, Default)]
 pub(crate) struct Connections {
     state: Mutex<State>,
@@ -18,19 +18,20 @@ pub(crate) struct Connections {
 #[derive(Debug, Default)]
 struct State {
     open: BTreeMap<u64, Open>,
-    /// Number of the next connection, and of the next change from busy to idle: they are in the order of time.
+    /// Number of the next connection or change from busy to idle. Numbers are in chronological
+    /// order.
     next: u64,
 }
 
 #[derive(Debug)]
 struct Open {
-    /// When it was opened or last became idle.
+    /// Number of the event at which it was opened or last became idle.
     since: u64,
     is_busy: bool,
     task: Option<AbortHandle>,
 }
 
-/// The place of one connection among those that may be open.
+/// Slot of one connection among those that may be open.
 #[derive(Clone, Debug)]
 pub(crate) struct Place(Arc<Held>);
 
@@ -40,7 +41,7 @@ struct Held {
     number: u64,
 }
 
-/// An admitted request in progress: its connection is not closed for another.
+/// Marks an admitted request in progress: its connection is not closed for another.
 #[derive(Debug)]
 pub(crate) struct Busy(Place);
 
@@ -48,7 +49,8 @@ impl Connections {
     /// Returns a place for one more connection. If there is none, it closes the connection that has
     /// been idle the longest; if all are busy, it waits.
     ///
-    /// A connection is idle unless an admitted request is in progress. Without the token no request is admitted.
+    /// A connection is idle unless an admitted request is in progress. Without the token no request
+    /// is admitted.
     pub(crate) async fn place(self: &Arc<Self>) -> Place {
         loop {
             if let Some(place) = self.free() {
@@ -78,14 +80,14 @@ impl Connections {
 }
 
 impl Place {
-    /// Tells which task serves the connection.
+    /// Registers the task that serves the connection.
     pub(crate) fn served_by(&self, task: AbortHandle) {
         if let Some(open) = self.0.connections.state().open.get_mut(&self.0.number) {
             open.task = Some(task);
         }
     }
 
-    /// Keeps the connection open until this is dropped.
+    /// Keeps the connection open until the returned guard is dropped.
     pub(crate) fn busy(&self) -> Busy {
         if let Some(open) = self.0.connections.state().open.get_mut(&self.0.number) {
             open.is_busy = true;

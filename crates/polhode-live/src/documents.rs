@@ -1,4 +1,4 @@
-//! What was opened or dropped.
+//! Documents: files that were opened or dropped.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
@@ -20,44 +20,45 @@ use crate::protocol::DocumentInfo;
 use crate::{limits, watch};
 use hyper::StatusCode;
 
-/// The scenario of a session that was started without a file.
+/// Scenario of a session that was started without a file.
 const FIRST: &str = include_str!("../assets/first.toml");
 
-/// One thing that was opened or dropped.
+/// A file that was opened or dropped.
 #[derive(Debug)]
 pub(crate) struct Document {
     pub(crate) id: u32,
     pub(crate) name: String,
     pub(crate) content: Content,
-    /// The file, or where it would be.
+    /// Path of the file, or the path that it would have.
     pub(crate) path: PathBuf,
-    /// Folders in which a model finds its meshes, beside its own.
+    /// Folders other than the model's own in which it finds its meshes.
     pub(crate) roots: Vec<PathBuf>,
 }
 
-/// What it is.
+/// Content of a document.
 #[derive(Debug)]
 pub(crate) enum Content {
-    /// A scenario: its file has it, or it was made of the file of a body.
+    /// Scenario, read from a file or made from the file of a body.
     Scenario {
         draft: Mutex<Draft>,
         made: Option<String>,
-        /// What the files were like when the draft began to read them.
+        /// State of the files when the draft began to read them.
         stamp: Mutex<String>,
-        /// Whether it was made of a mesh, which can be looked at by itself.
+        /// True if it was made from a mesh, which can also be inspected by itself.
         is_mesh: bool,
     },
-    /// A mesh that bounds no solid: what was found, and what the file was like then.
+    /// Mesh that is not closed: its inspection, and the state of the file at that time.
     Mesh(Mutex<(String, Arc<MeshInspection>)>),
     Robot,
 }
 
-/// All of them.
+/// All documents of a session.
 #[derive(Debug, Default)]
 pub(crate) struct Documents(Mutex<Vec<Arc<Document>>>);
 
 impl Documents {
-    /// Opens a file that the user named, which may name others; without one there is a scenario to begin with.
+    /// Opens the files that the user named, which may refer to others. Without files, it opens a
+    /// default scenario.
     pub(crate) fn open_first(&self, files: &[PathBuf]) -> Result<(), Refusal> {
         if files.is_empty() {
             let path = Path::new("t-handle.toml");
@@ -67,7 +68,8 @@ impl Documents {
         files.iter().try_for_each(|file| self.open(file, None, &stop).map(|_| ()))
     }
 
-    /// Opens a file: one that the user named, or one of a set of dropped files, which are all that it may name; `stop` ends it.
+    /// Opens a file that the user named, or one of a set of dropped files. A dropped file may refer
+    /// only to files of its set. `stop` ends the reading.
     pub(crate) fn open(
         &self,
         path: &Path,
@@ -85,7 +87,7 @@ impl Documents {
             Some((_, files)) => Draft::new(path, files.iter().cloned()),
             None => Draft::new(path, [path.to_owned()]),
         };
-        // Before they are read: what is written to meanwhile is read again.
+        // Taken before the files are read: a file that is written to meanwhile is read again.
         let own = std::iter::once(path);
         let [own, all] = [stamp(own.clone()), stamp(own.chain(draft.files()))];
         let bytes = fs::read(path).map_err(|error| unreadable(error.to_string()))?;
@@ -137,7 +139,7 @@ impl Documents {
         Ok(self.put(name, path.to_owned(), roots, content))
     }
 
-    /// A scenario with this text, whatever the file has.
+    /// Adds a scenario with this text, which may differ from its file.
     pub(crate) fn put_scenario(&self, path: &Path, draft: Draft, text: String) -> Arc<Document> {
         let (draft, stamp) = (Mutex::new(draft), Mutex::default());
         let content = Content::Scenario { draft, made: Some(text), stamp, is_mesh: false };
@@ -173,7 +175,7 @@ impl Document {
         DocumentInfo { id: self.id, name: self.name.clone(), kind, is_mesh, stamp: self.stamp() }
     }
 
-    /// Differs after the file, or one that it names, was written to.
+    /// Returns a stamp that changes when the file, or a file that it names, is written to.
     fn stamp(&self) -> String {
         let own = std::iter::once(self.path.as_path());
         match &self.content {
@@ -185,7 +187,8 @@ impl Document {
         }
     }
 
-    /// The text of a scenario as its file has it now, with all files read anew if one was written to.
+    /// Returns the text of a scenario from its file. If a file was written to, it reads all of them
+    /// again.
     pub(crate) fn text(&self) -> Result<String, Refusal> {
         let Content::Scenario { draft, made, stamp, .. } = &self.content else {
             return Err(Refusal::not_found());
@@ -207,7 +210,7 @@ impl Document {
         Ok(text)
     }
 
-    /// A mesh as its file has it now, and what is wrong with it; `stop` ends it.
+    /// Returns the inspection of a mesh, from its file as it is now; `stop` ends the inspection.
     pub(crate) fn looked_at(&self, stop: &AtomicBool) -> Result<Arc<MeshInspection>, Refusal> {
         let found = match &self.content {
             Content::Mesh(found) => Some(found),
@@ -231,7 +234,7 @@ impl Document {
         Ok(inspection)
     }
 
-    /// The draft of a scenario.
+    /// Returns the draft of a scenario.
     pub(crate) fn draft(&self) -> Result<&Mutex<Draft>, Refusal> {
         match &self.content {
             Content::Scenario { draft, .. } => Ok(draft),
@@ -248,7 +251,7 @@ fn unreadable(name: &str, error: &str) -> Refusal {
     Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, format!("{name:?} cannot be read: {error}"))
 }
 
-/// Differs after one of the files was written to.
+/// Returns a stamp that changes when one of the files is written to.
 fn stamp<'a>(files: impl Iterator<Item = &'a Path>) -> String {
     let mut hasher = DefaultHasher::new();
     for path in files {

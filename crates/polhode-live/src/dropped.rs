@@ -1,4 +1,4 @@
-//! Files that were dropped on the page: kept in a private folder, which goes with the session.
+//! Dropped files, kept in a private folder that is removed with the session.
 
 use std::fs::{self, File};
 use std::io::{self, Write as _};
@@ -10,7 +10,8 @@ use hyper::StatusCode;
 use crate::answer::Refusal;
 use crate::limits;
 
-/// The folder of a session's dropped files, made for the first of them: a folder for each set in it.
+/// Folder of a session's dropped files. It is made for the first file and has a subfolder for each
+/// set.
 #[derive(Debug)]
 pub(crate) struct Dropped {
     folder: PathBuf,
@@ -24,17 +25,17 @@ struct Kept {
 }
 
 impl Dropped {
-    /// A folder among the system's temporary ones.
+    /// Chooses a folder among the system's temporary files.
     pub(crate) fn new() -> io::Result<Self> {
         let mut random = [0; 8];
         getrandom::fill(&mut random).map_err(|error| io::Error::other(error.to_string()))?;
         let name = format!("polhode-live-{}-{:016x}", std::process::id(), u64::from_le_bytes(random));
-        // Its real path, so that what is in it is found in it.
+        // The canonical path, so that paths of its files begin with it.
         let folder = fs::canonicalize(std::env::temp_dir())?.join(name);
         Ok(Self { folder, kept: Mutex::default() })
     }
 
-    /// Makes the folder, which nobody else can look into.
+    /// Makes the folder, accessible only to the user.
     fn make(&self) -> io::Result<()> {
         let mut builder = fs::DirBuilder::new();
         #[cfg(unix)]
@@ -42,17 +43,17 @@ impl Dropped {
         builder.create(&self.folder)
     }
 
-    /// Where the files of a set lie.
+    /// Returns the folder of a set.
     pub(crate) fn set(&self, set: u64) -> PathBuf {
         self.folder.join(set.to_string())
     }
 
-    /// The path of a file of a set.
+    /// Returns the path of a file of a set.
     pub(crate) fn path(&self, set: u64, name: &str) -> Result<PathBuf, Refusal> {
         Ok(self.set(set).join(relative(name)?))
     }
 
-    /// A file of a set, which is written while it arrives.
+    /// Begins to receive a file of a set. It is written while it arrives.
     pub(crate) fn receive(&self, set: u64, name: &str) -> Result<Incoming<'_>, Refusal> {
         let path = self.path(set, name)?;
         let number = {
@@ -66,7 +67,7 @@ impl Dropped {
             kept.files += 1;
             kept.files
         };
-        // Apart from the sets until it is whole.
+        // The file is kept outside the sets until it is complete.
         let written = self.folder.join(format!("incoming-{number}"));
         let file = File::create_new(&written).map_err(|error| unkept(name, &error))?;
         Ok(Incoming { dropped: self, name: name.to_owned(), path, written, file })
@@ -76,7 +77,7 @@ impl Dropped {
         self.kept.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The files of a set.
+    /// Returns the files of a set.
     pub(crate) fn files(&self, set: u64) -> Vec<PathBuf> {
         let mut found = Vec::new();
         below(&self.set(set), &mut found);
@@ -84,7 +85,8 @@ impl Dropped {
     }
 }
 
-/// A file on its way. It is of its set when all of it is there, and removed if the rest does not come.
+/// A file that is being received. It joins its set when it is complete, and is removed if the
+/// remainder does not arrive.
 #[derive(Debug)]
 pub(crate) struct Incoming<'a> {
     dropped: &'a Dropped,
@@ -95,7 +97,7 @@ pub(crate) struct Incoming<'a> {
 }
 
 impl Incoming<'_> {
-    /// Writes the next bytes of it.
+    /// Writes the next bytes.
     pub(crate) fn write(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         {
             let mut kept = self.dropped.kept();
@@ -107,7 +109,7 @@ impl Incoming<'_> {
         self.file.write_all(bytes).map_err(|error| unkept(&self.name, &error))
     }
 
-    /// That was all of it.
+    /// Completes the file.
     pub(crate) fn end(self) -> Result<(), Refusal> {
         let made = self.path.parent().map_or(Ok(()), fs::create_dir_all);
         made.and_then(|()| fs::rename(&self.written, &self.path)).map_err(|error| unkept(&self.name, &error))
@@ -116,7 +118,7 @@ impl Incoming<'_> {
 
 impl Drop for Incoming<'_> {
     fn drop(&mut self) {
-        // Of what is whole nothing is left under that name.
+        // A completed file has been renamed, so that nothing is removed.
         let _ = fs::remove_file(&self.written);
     }
 }
@@ -132,7 +134,7 @@ fn unkept(name: &str, error: &io::Error) -> Refusal {
 
 impl Drop for Dropped {
     fn drop(&mut self) {
-        // What cannot be removed is the system's to remove.
+        // The system removes temporary files that cannot be removed here.
         let _ = fs::remove_dir_all(&self.folder);
     }
 }
@@ -147,7 +149,7 @@ fn below(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// A path below a folder: names that no system takes for something else.
+/// Checks a relative path below a folder: its names have no special meaning on any system.
 fn relative(name: &str) -> Result<PathBuf, Refusal> {
     const MOST: usize = 120;
     const DEEPEST: usize = 8;
@@ -172,7 +174,7 @@ fn relative(name: &str) -> Result<PathBuf, Refusal> {
     Ok(names.iter().collect())
 }
 
-/// Names that Windows has for devices.
+/// Returns true for names of devices on Windows.
 fn is_device(name: &str) -> bool {
     let stem = name.split('.').next().unwrap_or_default().trim().to_ascii_uppercase();
     let numbered = |device: &str| stem.strip_prefix(device).is_some_and(|n| n.len() == 1);

@@ -1,4 +1,4 @@
-//! Changes of a scenario's text that leave all else in it as it is: comments, order, spaces.
+//! Changes of a scenario's text that preserve comments, order and spaces.
 
 use polhode::body::{InertiaTensor, MassProperties, PrincipalFrame};
 use polhode::math::Body;
@@ -7,18 +7,18 @@ use polhode_scenario::read::ScenarioFile;
 use crate::protocol::Edit;
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-/// Why a change could not be made.
+/// Reason why a change could not be made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum EditError {
-    /// The text is no TOML: its own reader says where.
+    /// The text is not valid TOML; the TOML reader reports the place.
     Syntax,
-    /// There is nothing at a key.
+    /// The key does not exist.
     Key { key: String },
-    /// What is to be put there is no value.
+    /// The new value is not a valid TOML value.
     Value { value: String },
     /// The change needs a scenario that can be read.
     Scenario,
-    /// The moments are those of no body.
+    /// The moments are not those of a physical body.
     Body { why: String },
 }
 
@@ -36,7 +36,8 @@ impl std::fmt::Display for EditError {
     }
 }
 
-/// The text with the changes made one after the other; `read` reads a scenario where a change asks for its body or its start.
+/// Applies changes to the text, one after the other. `read` reads the scenario for changes that
+/// need its body or its start.
 pub(crate) fn edited(
     text: &str,
     edits: &[Edit],
@@ -57,7 +58,7 @@ pub(crate) fn edited(
                 let is_relative =
                     document.get("start").is_some_and(|start| start.get("relative_to").is_some());
                 let attitude = match is_relative {
-                    // What is not relative to the orbit any more needs the attitude in space.
+                    // A start that is no longer relative to the orbit needs the attitude in space.
                     true => {
                         let file = read(&text).ok_or(EditError::Scenario)?;
                         Some(file.scenario.start().attitude.canonical_quaternion())
@@ -77,7 +78,7 @@ pub(crate) fn edited(
     Ok(text)
 }
 
-/// Sets or takes away the value of a key; the tables on the way to it have to be there, but for the last.
+/// Sets or removes the value of a key. The tables on its path must exist, except the last.
 fn set(document: &mut DocumentMut, key: &str, value: Option<&str>) -> Result<(), EditError> {
     let no_key = || EditError::Key { key: key.to_owned() };
     let mut steps = steps(key).ok_or_else(no_key)?;
@@ -106,7 +107,7 @@ fn set(document: &mut DocumentMut, key: &str, value: Option<&str>) -> Result<(),
     Ok(())
 }
 
-/// Gives a torque a name, its model's, if it has none: one that is off has to have one.
+/// Names a torque after its model if it has no name. A torque that is off needs a name.
 fn name(document: &mut DocumentMut, key: &str) {
     let k = key.strip_prefix("torque[").and_then(|rest| rest.strip_suffix(']')).and_then(|k| k.parse().ok());
     let Some(torques) = document.get_mut("torque").and_then(Item::as_array_of_tables_mut) else { return };
@@ -121,7 +122,7 @@ fn name(document: &mut DocumentMut, key: &str) {
     }
 }
 
-/// Puts a value into a table, with the spaces and the comment that stand around the one before.
+/// Puts a value into a table, with the spaces and the comment of the previous value.
 fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
     match table.get_mut(key) {
         Some(Item::Value(old)) => {
@@ -135,7 +136,7 @@ fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
     }
 }
 
-/// One value and nothing else.
+/// Parses a single TOML value without anything after it.
 fn parsed(value: &str) -> Result<Value, EditError> {
     let no_value = || EditError::Value { value: value.chars().take(80).collect() };
     if value.contains(['\n', '\r']) {
@@ -149,7 +150,7 @@ enum Step {
     Index(usize),
 }
 
-/// `body.part[0].size[2]`
+/// Splits a key such as `body.part[0].size[2]` into its steps.
 fn steps(key: &str) -> Option<Vec<Step>> {
     let mut steps = Vec::new();
     for word in key.split('.') {
@@ -170,14 +171,14 @@ fn steps(key: &str) -> Option<Vec<Step>> {
     Some(steps)
 }
 
-/// Writes ω in body axes, and the attitude if there is one, where the motion starts.
+/// Writes ω in body axes, and the attitude if given, into the start.
 fn start(document: &mut DocumentMut, attitude: Option<[f64; 4]>, omega: [f64; 3]) {
     let item = document.entry("start").or_insert_with(|| Item::Table(Table::new()));
     let Some(table) = item.as_table_like_mut() else { return };
     if attitude.is_some() {
         table.remove("relative_to");
     }
-    // A unit that is written stays: ω by ω.
+    // A unit in the text is kept for ω.
     let unit = unit_of_spin(table.get("spin"));
     let numbers = omega.map(|component| match unit {
         Some(("deg/s", _)) => Value::from(format!("{} deg/s", short(component.to_degrees()))),
@@ -192,7 +193,8 @@ fn start(document: &mut DocumentMut, attitude: Option<[f64; 4]>, omega: [f64; 3]
     }
 }
 
-/// The unit that all components of a spin have, and how many of it are 1 rad/s.
+/// Returns the unit that all components of a spin have, and its conversion factor: the number of
+/// these units in 1 rad/s.
 fn unit_of_spin(spin: Option<&Item>) -> Option<(&'static str, f64)> {
     let written = spin?.get("body")?.as_array()?;
     let per_turn = 30.0 / std::f64::consts::PI;
@@ -208,7 +210,7 @@ fn of_one(key: &str, value: Array) -> InlineTable {
     table
 }
 
-/// The body with other principal moments, about the same axes and with the same mass.
+/// Returns the body with other principal moments, kg·m², and with the same axes and mass.
 fn with_moments(body: &MassProperties<Body>, moments: [f64; 3]) -> Result<MassProperties<Body>, EditError> {
     let no_body = |error: polhode::body::BodyError| EditError::Body { why: error.to_string() };
     let axes = PrincipalFrame::of(body.inertia()).axes().map(polhode::math::Vector::to_array);
@@ -219,7 +221,7 @@ fn with_moments(body: &MassProperties<Body>, moments: [f64; 3]) -> Result<MassPr
     MassProperties::new(body.mass(), body.center_of_mass(), tensor).map_err(no_body)
 }
 
-/// Puts one tensor in the place of all parts of the body.
+/// Replaces all parts of the body by one tensor.
 fn tensor(document: &mut DocumentMut, body: &MassProperties<Body>) {
     let mut part = Table::new();
     let numbers = |values: [f64; 3]| values.into_iter().map(Value::from).collect::<Array>();
@@ -237,14 +239,14 @@ fn tensor(document: &mut DocumentMut, body: &MassProperties<Body>) {
     }
 }
 
-/// Digits enough for a hand: seven, of which zeros at the end are left out.
+/// Formats a number with seven significant digits, without trailing zeros.
 fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
     let plain = format!("{rounded}");
     if plain.len() > 12 { format!("{rounded:e}") } else { plain }
 }
 
-/// To 12 digits after the point: a quaternion that is normalised when it is read.
+/// Rounds to 12 decimals. A quaternion is normalised when it is read.
 fn rounded(value: f64) -> f64 {
     (value * 1e12).round() / 1e12
 }

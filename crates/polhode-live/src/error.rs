@@ -1,4 +1,4 @@
-//! Why the page cannot be served.
+//! Errors of the server of the page.
 
 use std::error::Error;
 use std::fmt;
@@ -7,42 +7,42 @@ use std::net::SocketAddr;
 
 use crate::lesson::LessonError;
 
-/// Why the page cannot be served.
+/// Error of the server of the page.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum LiveError {
     /// A file cannot be shown.
     File {
-        /// Which, and why.
+        /// Name of the file and reason.
         message: String,
-        /// What to do about it, where there is something to say.
+        /// Advice for a fix, if there is any.
         hint: Option<String>,
     },
-    /// A lesson cannot be used.
+    /// A lesson is invalid.
     Lesson(LessonError),
-    /// The address cannot be listened on.
+    /// The server cannot listen on the address.
     Address {
-        /// Which.
+        /// Requested address.
         address: SocketAddr,
-        /// Why.
+        /// Error of the system.
         error: io::Error,
     },
-    /// The folder for what is dropped cannot be made.
+    /// The folder for dropped files cannot be made.
     Folder {
-        /// Why.
+        /// Error of the system.
         error: io::Error,
     },
-    /// The system gives no random numbers for the token.
+    /// The system provides no random numbers for the token.
     Random,
     /// The server cannot start.
     Start {
-        /// Why.
+        /// Error of the system.
         error: io::Error,
     },
 }
 
 impl LiveError {
-    /// What to do about it, where there is something to say.
+    /// Returns advice for a fix, if there is any.
     pub fn hint(&self) -> Option<&str> {
         match self {
             Self::File { hint, .. } | Self::Lesson(LessonError { hint, .. }) => hint.as_deref(),

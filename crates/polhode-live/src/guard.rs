@@ -1,11 +1,11 @@
-//! Who may ask: whoever has the token, from this machine's own page.
+//! Access control: a request needs the token, and must come from this machine's own page.
 
 use hyper::header::{HOST, HeaderMap, ORIGIN};
 use hyper::{Method, StatusCode, Uri, Version};
 
 use crate::answer::Refusal;
 
-/// What every request has to show.
+/// Conditions that every request must meet.
 #[derive(Debug)]
 pub(crate) struct Guard {
     token: String,
@@ -13,19 +13,19 @@ pub(crate) struct Guard {
 }
 
 impl Guard {
-    /// With a new token.
+    /// Makes a guard with a new random token; `None` if the system provides no random numbers.
     pub(crate) fn new(port: u16) -> Option<Self> {
         let mut bytes = [0; 16];
         getrandom::fill(&mut bytes).ok()?;
         Some(Self { token: bytes.iter().map(|byte| format!("{byte:02x}")).collect(), port })
     }
 
-    /// `http://127.0.0.1:41234/0123…/`
+    /// Returns the address of the page, such as `http://127.0.0.1:41234/0123…/`.
     pub(crate) fn address(&self) -> String {
         format!("http://127.0.0.1:{}/{}/", self.port, self.token)
     }
 
-    /// The rest of the path behind the token, for one who may ask.
+    /// Returns the path after the token, if the request is admitted.
     pub(crate) fn admit<'u>(
         &self,
         method: &Method,
@@ -37,7 +37,7 @@ impl Guard {
         if version > Version::HTTP_11 || uri.scheme().is_some() || uri.authority().is_some() {
             return Err(Refusal::new(StatusCode::BAD_REQUEST, "the request is not one for a page"));
         }
-        // A name of another's that leads here by DNS is no name of ours.
+        // A foreign name that DNS resolves to this address is refused (DNS rebinding).
         let mut hosts = headers.get_all(HOST).iter();
         let host = hosts.next().and_then(|host| host.to_str().ok()).ok_or_else(|| refused("the host"))?;
         if hosts.next().is_some() || !self.is_own(host) {
@@ -49,7 +49,7 @@ impl Guard {
                 return Err(refused("the origin"));
             }
         }
-        // What a browser says of its own accord, and no page can write.
+        // Browsers set this header, and pages cannot change it.
         for site in headers.get_all("sec-fetch-site") {
             if !matches!(site.to_str(), Ok("same-origin" | "none")) {
                 return Err(refused("the site"));
@@ -71,7 +71,7 @@ impl Guard {
     }
 }
 
-/// Whether two texts are the same, in a time that does not say where they differ.
+/// Compares two texts in a time that does not depend on the position of a difference.
 fn is_same(a: &[u8], b: &[u8]) -> bool {
     a.len() == b.len() && a.iter().zip(b).fold(0, |differing, (a, b)| differing | (a ^ b)) == 0
 }

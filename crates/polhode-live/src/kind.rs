@@ -1,11 +1,11 @@
-//! What a file is, by its name and where that is not enough by its first bytes.
+//! Kind of a file, by its name and if necessary by its first bytes.
 
 use std::path::Path;
 
 use polhode_robot::read::format_of;
 use polhode_shape::mesh::MeshFormat;
 
-/// What a file is.
+/// Kind of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Scenario,
@@ -16,14 +16,14 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// Of a file with these contents; `None` if it is nothing that the page can show.
+    /// Returns the kind of a file with these contents; `None` if the page cannot show it.
     pub(crate) fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();
         let text = || std::str::from_utf8(bytes).ok();
         match ending.as_str() {
             "toml" => Some(Self::Scenario),
             "xyz" | "mol" | "pdb" | "ent" => Some(Self::Molecule),
-            // Two formats have this name; the one of robots is XML.
+            // Two formats have this extension; that of robots is XML.
             "sdf" if !bytes.trim_ascii_start().starts_with(b"<") => Some(Self::Molecule),
             "csv" => Some(Self::Particles),
             "urdf" => Some(Self::Robot),

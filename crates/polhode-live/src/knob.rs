@@ -1,4 +1,4 @@
-//! The numbers of a scenario that can be turned on the page, and how far.
+//! Numbers of a scenario that can be changed on the page, and their ranges.
 
 use polhode::motion::Scenario;
 use polhode_scenario::read::WrittenNumber;
@@ -6,14 +6,15 @@ use polhode_source::unit::Dimension;
 
 use crate::protocol::{Knob, Switch};
 
-/// The groups of knobs, by the table that a key begins with, in the order of their interest among equals.
+/// Groups of knobs, by the first table of a key. Among knobs of equal interest, they are in this
+/// order.
 const GROUPS: [&str; 5] = ["start", "body", "torque", "wheel", "run"];
 
-/// A knob for each number of a scenario, the most telling first.
+/// Returns a knob for each number of a scenario, the most informative first.
 pub fn knobs(numbers: &[WrittenNumber]) -> Vec<Knob> {
     let mut order: Vec<(u32, &WrittenNumber)> =
         numbers.iter().map(|number| (interest(number), number)).collect();
-    // Those that are as telling stay in the order of the text.
+    // Equally informative numbers stay in the order of the text.
     order.sort_by_key(|(interest, _)| *interest);
     order.iter().enumerate().map(|(rank, (_, number))| knob(number, numbers, rank)).collect()
 }
@@ -40,15 +41,15 @@ fn knob(number: &WrittenNumber, all: &[WrittenNumber], rank: usize) -> Knob {
     }
 }
 
-/// The number in the unit that it is written with.
+/// Returns the number in the unit in which it is written.
 fn written(number: &WrittenNumber) -> f64 {
     let factor = polhode_source::unit::factor(&number.unit, number.dimension).unwrap_or(1.0);
     let value = if number.unit.is_empty() { number.value } else { number.value / factor };
-    // The conversion is not exact; what was written has few digits.
+    // The conversion is not exact, but the number in the text has few digits.
     format!("{value:.14e}").parse().unwrap_or(value)
 }
 
-/// True of what is never zero or negative.
+/// Returns true for a quantity that is always positive.
 fn is_positive(number: &WrittenNumber) -> bool {
     let key = number.key.rsplit('.').next().unwrap_or_default();
     let key = key.split('[').next().unwrap_or_default();
@@ -77,8 +78,9 @@ fn is_positive(number: &WrittenNumber) -> bool {
         || [Dimension::MASS, Dimension::DENSITY].contains(&number.dimension)
 }
 
-/// How far a number goes that may have either sign: angles all the way round, components as far as the largest of their vector and a half more, others
-/// to three times what they are or what is usual.
+/// Returns the range of a number that may have either sign. Angles have a full turn. Components of
+/// a vector reach 1.5 times the largest component, and other numbers three times their value or a
+/// usual value.
 fn span(number: &WrittenNumber, all: &[WrittenNumber], value: f64) -> [f64; 2] {
     let factor = polhode_source::unit::factor(&number.unit, number.dimension).unwrap_or(1.0);
     if number.dimension == Dimension::ANGLE {
@@ -105,7 +107,7 @@ fn span(number: &WrittenNumber, all: &[WrittenNumber], value: f64) -> [f64; 2] {
     [-most, most]
 }
 
-/// The smaller, the more telling.
+/// Returns the rank of interest of a number; a smaller value means more interest.
 fn interest(number: &WrittenNumber) -> u32 {
     let (head, rest) = split(&number.key);
     let is_zero = u32::from(number.value == 0.0);
@@ -125,13 +127,14 @@ fn interest(number: &WrittenNumber) -> u32 {
     }
 }
 
-/// The first word of a key, and the rest.
+/// Splits a key after its first word.
 fn split(key: &str) -> (&str, &str) {
     let head = key.split(['.', '[']).next().unwrap_or_default();
     (head, key[head.len()..].trim_start_matches('.'))
 }
 
-/// `crossbar: radius`; components of the spin by their symbols.
+/// Returns the label of a number, such as `crossbar: radius`; components of the spin are labelled
+/// by their symbols.
 fn label(number: &WrittenNumber) -> String {
     for (vector, symbols) in [
         ("start.spin.body", ["ωx", "ωy", "ωz"]),
@@ -156,7 +159,7 @@ fn label(number: &WrittenNumber) -> String {
         words.push(name.replace('_', " "));
         let axis = index.split(['[', ']']).filter(|k| !k.is_empty()).filter_map(|k| k.parse().ok());
         let letters: String = axis.filter_map(|k: usize| ["x", "y", "z"].get(k).copied()).collect();
-        // Angles of Euler and elements of a quaternion are no components of a vector.
+        // Euler angles and elements of a quaternion are not components of a vector.
         let is_vector = !name.starts_with("euler")
             && name != "quaternion"
             && name != "roll_pitch_yaw"
@@ -183,7 +186,7 @@ fn label(number: &WrittenNumber) -> String {
     }
 }
 
-/// A switch for each torque of a text, which is called by its name or its model.
+/// Returns a switch for each torque of a text, labelled by its name or its model.
 pub(crate) fn switches(scenario: &Scenario, text: &str) -> Vec<Switch> {
     let document = text.parse::<toml_edit::DocumentMut>().unwrap_or_default();
     let models: Vec<_> =

@@ -1,12 +1,16 @@
-//! `polhode live`: a page on which a rigid body and its motion can be changed, served on this machine's own address.
+//! `polhode live`: an interactive page for a rigid body and its motion, served on this machine
+//! only.
 //!
-//! The scenario's text is the only state. A change of the page, a knob or a throw, is an edit of the text; the answer has the new text,
-//! the motion, and what can be turned in it. The server keeps the files that were opened or dropped, and no motion.
+//! The text of the scenario is the only state. Each change on the page, such as a knob or a throw,
+//! is an edit of the text. The answer contains the new text, the motion, and the knobs. The server
+//! keeps the files that were opened or dropped, but no motions.
 //!
-//! **Closed to others.** It listens on the loopback address alone. Every path begins with a token of 128 random bits; a request whose `Host` or
-//! `Origin` is another's is refused, as a page of another site would have it through DNS rebinding. A text may name the files that it was opened
-//! with, or that were dropped beside it, and no others. Headers, bodies, connections and computations have limits of size and time; an integration,
-//! or the diagnosis of a mesh, that nobody waits for any more is stopped. The page loads nothing from elsewhere, which its content security policy holds it to.
+//! **Access.** The server listens only on the loopback address. Every path begins with a token of
+//! 128 random bits. A request with a foreign `Host` or `Origin` is refused, to prevent DNS
+//! rebinding by other sites. A text may refer only to files that it was opened with or that were
+//! dropped with it. Headers, bodies, connections and computations have limits of size and time. An
+//! integration or the diagnosis of a mesh stops when nobody waits for it. The content security
+//! policy ensures that the page loads nothing from elsewhere.
 //!
 //! ```no_run
 //! use polhode_live::{Live, LiveOptions};

@@ -1,4 +1,4 @@
-//! The file of a mesh, read and looked at once: a solid, or what is wrong with it.
+//! Mesh files, read and inspected together: a solid, or the errors of the mesh.
 
 use std::path::Path;
 
@@ -9,16 +9,16 @@ use polhode_source::files::Disk;
 use crate::inspect::{MARKS, MeshInspection};
 use crate::part_names::PartNames;
 
-/// What the file of a mesh has, all its parts as one surface.
+/// Contents of a mesh file, with all its parts as one surface.
 #[derive(Debug)]
 pub(crate) enum Mesh {
-    /// A solid, and the unit that was taken for it where the format has none, in metres.
+    /// Solid, and the assumed unit in metres if the format has none.
     Solid(Box<MeshSolid>, Option<f64>),
     Flawed(MeshInspection),
 }
 
 impl Mesh {
-    /// Of the bytes of a file; an error says why they are no mesh.
+    /// Reads the bytes of a file; an error says why they are not a mesh.
     pub(crate) fn of(
         name: &str,
         path: &Path,
@@ -38,7 +38,8 @@ impl Mesh {
     }
 }
 
-/// What there is to see of the file of a mesh, whether it bounds a solid or not; an error says why its bytes are no mesh.
+/// Inspects a mesh file, whether it bounds a solid or not; an error says why its bytes are not a
+/// mesh.
 pub(crate) fn looked_at(
     name: &str,
     path: &Path,
@@ -55,12 +56,12 @@ pub(crate) fn looked_at(
     })
 }
 
-/// The file of a mesh, its parts as one.
+/// Contents of a mesh file, with its parts as one surface.
 struct Read {
     format: MeshFormat,
     contents: MeshContents,
     parts: PartNames,
-    /// The unit by its size, in metres.
+    /// Unit assumed from the size, in metres.
     assumed: f64,
 }
 
@@ -77,7 +78,7 @@ impl Read {
         Ok(self.contents.parts.first().map(|part| &part.mesh).ok_or("it has no triangles")?)
     }
 
-    /// In metres.
+    /// Returns the unit in metres.
     fn unit(&self) -> f64 {
         self.contents.unit.unwrap_or(self.assumed)
     }
@@ -87,12 +88,13 @@ impl Read {
     }
 }
 
-/// Metres in the unit of a mesh that does not say it: a part of a machine in millimetres is some metres long when they are taken for metres.
+/// Returns the assumed unit in metres of a mesh without a unit. A machine part in millimetres would
+/// be several metres long in metres.
 fn assumed_unit(contents: &MeshContents) -> f64 {
     if contents.parts.iter().any(|part| largest(&part.mesh) > 2.5) { 0.001 } else { 1.0 }
 }
 
-/// The largest coordinate, in the file's unit.
+/// Returns the largest absolute coordinate, in the file's unit.
 fn largest(mesh: &TriangleMesh) -> f64 {
     mesh.coordinates().iter().flatten().fold(0.0, |most, x| x.abs().max(most))
 }

@@ -1,4 +1,4 @@
-//! A change of the text, and the motion of what it says then.
+//! Changes of the text, and computation of the new motion.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -19,9 +19,10 @@ use crate::protocol::{Motion, MotionAnswer, MotionRequest, TextError};
 use crate::{limits, utf16, watch};
 use hyper::StatusCode;
 
-/// Makes the changes that are asked for, and computes the motion; `stop` ends it.
+/// Applies the requested changes and computes the motion; `stop` ends the computation.
 ///
-/// `None` if it takes longer than `most`, unless that is [`limits::MOTION`], of which the answer speaks.
+/// Returns `None` if it takes longer than `most`, unless that is [`limits::MOTION`], which the
+/// answer then reports.
 pub(crate) fn answer(
     draft: &Mutex<Draft>,
     request: &MotionRequest,
@@ -33,7 +34,7 @@ pub(crate) fn answer(
         let rule = format!("at most {} edits at once", limits::EDITS);
         return Err(Refusal::new(StatusCode::BAD_REQUEST, rule));
     }
-    // A copy: another tab may read another text meanwhile. What was read of files is shared.
+    // A copy, because another tab may read another text meanwhile. Contents of files are shared.
     let mut own = draft.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let mut edits_on = own.clone();
     let goes_on = watch::within(most, stop);
@@ -71,7 +72,7 @@ pub(crate) fn answer(
     Ok(Some(answer))
 }
 
-/// The trajectory, at no more times than the page shows.
+/// Computes the trajectory, at no more times than the page shows.
 pub(crate) fn computed(
     file: &ScenarioFile,
     with_error: bool,
@@ -89,14 +90,14 @@ pub(crate) fn computed(
     motion.unwrap_or(Err(MotionError::Stopped { time: 0.0 })).map_err(|error| of_motion(file, &error))
 }
 
-/// s: so long a scenario without a run is shown.
+/// Duration shown for a scenario without a run, s.
 const WITHOUT_RUN: f64 = 10.0;
 
 fn without_run() -> Run {
     Run::evenly(WITHOUT_RUN, 1_001, polhode::motion::Method::Auto, 1e-13)
 }
 
-/// What the page shows otherwise than the scenario says.
+/// Reports differences between the motion shown and the scenario's run.
 fn shown_otherwise(scenario: &Scenario) -> Option<Finding> {
     let message = match scenario.run().map(|run| run.times.len()) {
         None => format!("there is no [run]: the motion is shown for {WITHOUT_RUN} s"),
@@ -108,7 +109,7 @@ fn shown_otherwise(scenario: &Scenario) -> Option<Finding> {
     Some(Finding { code: "live.run", severity: Severity::Info, message, place: None })
 }
 
-/// The first and the last of the times, and those evenly between them.
+/// Keeps the first and the last time, and times evenly between them.
 fn thinned(run: &Run) -> Run {
     let (count, most) = (run.times.len(), limits::SAMPLES);
     if count <= most {
@@ -131,7 +132,8 @@ fn motion(file: &ScenarioFile, trajectory: &Trajectory, draft: &Draft, request: 
         explanation: explanation.as_ref(),
         whole: true,
     };
-    // Of the body, and of it with its other free motions, which a page has that has shown one.
+    // Fingerprint of the body, and of the body with its other free motions, which a page that has
+    // shown a free motion already has.
     let body = format!("{:016x}", draft.body_fingerprint());
     let with_free = format!("{body} free");
     let is_known = |known: &&String| **known == with_free || (**known == body && !input.is_free());
@@ -164,7 +166,7 @@ fn of_motion(file: &ScenarioFile, error: &MotionError) -> TextError {
     }
 }
 
-/// An error of the text, or of a file that it names, at its place in the text.
+/// Converts an error of the text, or of a file to which it refers, at its place in the text.
 fn of_format(error: &FormatError, draft: &Draft, text: &str) -> TextError {
     if error.path() == draft.path() {
         return at_place(error, text);

@@ -1,4 +1,4 @@
-//! Scenarios of files that are none: a mesh, a molecule, particles, as a body that turns.
+//! Scenarios made from a mesh, a molecule or particles, as a rotating body.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -8,10 +8,11 @@ use polhode_shape::particles::ParticleOptions;
 
 use crate::kind::Kind;
 
-/// Particles that a text has room for.
+/// Maximum number of particles in a text.
 const MOST_PARTICLES: usize = 400;
 
-/// A scenario with the body of a file that lies beside it, or why there is none.
+/// Makes a scenario with the body of a file in the same folder, or returns the reason why that is
+/// not possible.
 pub(crate) fn scenario_of(kind: Kind, path: &Path, bytes: &[u8]) -> Result<String, String> {
     let file = path.file_name().unwrap_or_default().to_string_lossy();
     match kind {
@@ -28,8 +29,8 @@ pub(crate) fn scenario_of(kind: Kind, path: &Path, bytes: &[u8]) -> Result<Strin
     }
 }
 
-/// A scenario with a solid of water, as a file of triangles says neither what it is made of nor, most of them, in which unit: this, in
-/// metres, is taken then.
+/// Makes a scenario with a solid of water, because a mesh file has no density. Most mesh files have
+/// no unit either: `unit`, in metres, is the assumed one.
 pub(crate) fn scenario_of_mesh(path: &Path, unit: Option<f64>) -> String {
     let file = path.file_name().unwrap_or_default().to_string_lossy();
     let mut text = format!("[[body.part]]\nshape = \"mesh\"\nfile = {}\n", quoted(&file));
@@ -71,7 +72,7 @@ fn particle_table(bytes: &[u8]) -> Result<String, String> {
     ))
 }
 
-/// A string of TOML.
+/// Returns a TOML string.
 fn quoted(text: &str) -> String {
     toml_edit::Value::from(text).to_string()
 }

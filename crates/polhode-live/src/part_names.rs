@@ -2,7 +2,7 @@
 
 use polhode_shape::mesh::MeshContents;
 
-/// The parts of a file by the triangles of all of them, numbered through.
+/// Names and numbers of triangles of the parts of a file. Triangles are numbered through all parts.
 #[derive(Debug)]
 pub(crate) struct PartNames(Vec<(String, usize)>);
 
@@ -12,12 +12,12 @@ impl PartNames {
         Self(named.collect())
     }
 
-    /// How many there are, if there are several.
+    /// Returns the number of parts if there are several.
     pub(crate) fn several(&self) -> Option<usize> {
         Some(self.0.len()).filter(|count| *count > 1)
     }
 
-    /// The name of the part that has a triangle, from 1, of several parts.
+    /// Returns the name of the part that has a triangle, from 1, if there are several parts.
     pub(crate) fn of_triangle(&self, triangle: usize) -> Option<&str> {
         self.several()?;
         let mut last = 0;

@@ -1,10 +1,10 @@
-//! What the page and the server say to each other, as `viewer/src/live/protocol.ts` has it.
+//! Protocol between page and server, as in `viewer/src/live/protocol.ts`.
 
 use bytes::Bytes;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-/// An answer that is not 200.
+/// Body of an answer whose status is not 200.
 #[derive(Debug, Serialize)]
 pub(crate) struct RefusalBody {
     pub(crate) message: String,
@@ -42,7 +42,7 @@ pub(crate) struct MotionRequest {
 #[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(untagged, deny_unknown_fields)]
 pub(crate) enum Edit {
-    /// A value by its key, as TOML; `None` takes the key away.
+    /// New value of a key, as TOML; `None` removes the key.
     Set { set: String, value: Option<String> },
     /// Attitude (w, x, y, z) and ω in body axes at the start, rad/s.
     Start { attitude: [f64; 4], omega: [f64; 3] },
@@ -65,13 +65,13 @@ pub(crate) struct MotionAnswer {
 #[derive(Debug, Serialize)]
 pub(crate) struct Motion {
     pub(crate) page: Value,
-    /// Of the page: what stands behind the JSON.
+    /// Rows of numbers that follow the JSON.
     #[serde(skip)]
     pub(crate) rows: Bytes,
     pub(crate) body: String,
 }
 
-/// What is wrong with a text; offsets count UTF-16 units.
+/// Error in a text. Offsets count UTF-16 units.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct TextError {
     pub(crate) message: String,
@@ -82,30 +82,30 @@ pub(crate) struct TextError {
     pub(crate) column: Option<usize>,
 }
 
-/// A number of a scenario that can be turned: `Knob` of `viewer/src/live/protocol.ts`.
+/// A number of a scenario that can be changed: `Knob` of `viewer/src/live/protocol.ts`.
 #[derive(Debug, Serialize)]
 pub struct Knob {
-    /// `body.part[0].radius`
+    /// Key, such as `body.part[0].radius`.
     pub key: String,
-    /// `crossbar: radius`
+    /// Label, such as `crossbar: radius`.
     pub label: String,
-    /// The table that it belongs to.
+    /// Table of the scenario to which the number belongs.
     pub group: &'static str,
-    /// As it is written: 4 of `4 mm`.
+    /// Value in the unit of the text, such as 4 for `4 mm`.
     pub value: f64,
-    /// As it is written; empty of a plain number in SI.
+    /// Unit in the text; empty for a plain number in SI units.
     pub unit: String,
-    /// The unit of a plain number.
+    /// SI unit of a plain number.
     pub si: String,
-    /// What it is: `a length`.
+    /// Kind of quantity, such as `a length`.
     pub what: String,
-    /// From here on, as the value is written.
+    /// Lower end of the slider, in the unit of the text.
     pub low: f64,
-    /// Up to here.
+    /// Upper end of the slider, in the unit of the text.
     pub high: f64,
-    /// `linear` or `log`.
+    /// Scale of the slider: `linear` or `log`.
     pub scale: &'static str,
-    /// Its place among all, the most telling first.
+    /// Rank among all knobs, the most informative first.
     pub rank: usize,
 }
 
@@ -143,14 +143,14 @@ pub(crate) struct OpenRequest {
     pub(crate) set: u64,
     pub(crate) name: String,
 }
-/// What a list says of a lesson.
+/// Entry of a lesson in a list.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct LessonInfo {
-    /// What it is asked for by.
+    /// Identifier used in requests.
     pub id: String,
-    /// Its title.
+    /// Title of the lesson.
     pub title: String,
-    /// What it is about, in a sentence.
+    /// Subject of the lesson, in a sentence.
     pub summary: String,
 }
 
@@ -175,7 +175,7 @@ pub(crate) struct LessonStep {
 pub(crate) struct Question {
     pub(crate) text: String,
     pub(crate) answers: Vec<String>,
-    /// From 0.
+    /// Index of the right answer, from 0.
     pub(crate) right: usize,
     pub(crate) why: String,
 }

@@ -1,4 +1,4 @@
-//! What is asked for, and who answers it.
+//! Routes: requests and their answers.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -19,7 +19,7 @@ use crate::session::Session;
 use crate::{limits, motion, utf16, watch};
 use hyper::{Method, StatusCode};
 
-/// What a path asks for, before its body has come.
+/// Route of a request, known before its body has arrived.
 #[derive(Debug)]
 pub(crate) enum Route {
     Asset(&'static str, &'static [u8]),
@@ -37,18 +37,18 @@ pub(crate) enum Route {
 /// Cost of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Cost {
-    /// It is given at once.
+    /// Answered immediately.
     Nothing,
     /// A few milliseconds.
     Light,
     /// Up to [`limits::ANSWER`].
     Heavy,
-    /// Only trying shows it.
+    /// Known only by trying.
     Unknown,
 }
 
 impl Route {
-    /// The route of a path behind the token.
+    /// Returns the route of a path after the token.
     pub(crate) fn of(method: &Method, path: &str, query: Option<&str>) -> Result<Self, Refusal> {
         let is_post = *method == Method::POST;
         match (is_post, path) {
@@ -63,7 +63,7 @@ impl Route {
         }
     }
 
-    /// `document/3`, `mesh/3`, `lesson/cube`, `live.js`
+    /// Parses a path such as `document/3`, `mesh/3`, `lesson/cube` or `live.js`.
     fn named(path: &str) -> Option<Self> {
         match path.split_once('/') {
             Some(("document", id)) => id.parse().ok().map(Self::Document),
@@ -73,7 +73,7 @@ impl Route {
         }
     }
 
-    /// `set=7&name=meshes%2Fpart.stl`
+    /// Parses the query of a dropped file, such as `set=7&name=meshes%2Fpart.stl`.
     fn drop(query: &str) -> Result<Self, Refusal> {
         let bad = || Refusal::new(StatusCode::BAD_REQUEST, "a file is dropped as set=NUMBER&name=NAME");
         let value = |wanted: &str| {
@@ -84,7 +84,7 @@ impl Route {
         Ok(Self::Drop { set: set.parse().map_err(|_| bad())?, name: decoded(name).ok_or_else(bad)? })
     }
 
-    /// The most bytes that its body may have.
+    /// Returns the maximum size of its body, bytes.
     pub(crate) const fn most(&self) -> usize {
         match self {
             Self::Asset(..)
@@ -112,7 +112,8 @@ impl Route {
         }
     }
 
-    /// The answer, if a motion takes no longer than `most`; `stop` is set when nobody waits for it any more.
+    /// Computes the answer, or returns `None` if a motion takes longer than `most`; `stop` is set
+    /// when nobody waits for it.
     pub(crate) fn answer_within(
         &self,
         most: Duration,
@@ -132,7 +133,7 @@ impl Route {
         answer.map(with_rows).transpose()
     }
 
-    /// The answer; `stop` is set when nobody waits for it any more.
+    /// Computes the answer; `stop` is set when nobody waits for it.
     pub(crate) fn answer(
         &self,
         body: &[u8],
@@ -174,7 +175,7 @@ impl Route {
                     &document.draft()?.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone(),
                 ))
             }
-            // Its body is kept while it comes.
+            // The body has been saved while it arrived.
             Self::Drop { .. } => json(&serde_json::json!({})),
             Self::Open => {
                 let OpenRequest { set, name } = read(body)?;
@@ -207,7 +208,7 @@ fn read<T: DeserializeOwned>(body: &[u8]) -> Result<T, Refusal> {
     })
 }
 
-/// The text of a part of a query.
+/// Decodes a percent-encoded part of a query.
 fn decoded(text: &str) -> Option<String> {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();

@@ -1,9 +1,9 @@
-//! Rows of numbers that stand behind the JSON of an answer.
+//! Rows of numbers that follow the JSON of an answer.
 
 use bytes::Bytes;
 use serde::Serialize;
 
-/// Where a row begins, and how many numbers it has, counted in them.
+/// Beginning and length of a row, both counted in numbers of its type.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Row {
@@ -11,7 +11,7 @@ pub(crate) enum Row {
     U32([usize; 2]),
 }
 
-/// Little-endian numbers of four bytes, one row after the other.
+/// Little-endian numbers of four bytes, row after row.
 #[derive(Debug, Default)]
 pub(crate) struct Rows(Vec<u8>);
 
@@ -31,7 +31,8 @@ impl Rows {
     fn put<const N: usize>(&mut self, numbers: impl ExactSizeIterator<Item = [u8; N]>) -> [usize; 2] {
         let (at, count) = (self.0.len(), numbers.len());
         self.0.resize(at + N * count, 0);
-        // Into places that are there: of a large mesh it is a copy, not a push for each number.
+        // Writes into existing places: for a large mesh this is a copy, instead of a push for each
+        // number.
         let (places, _) = self.0[at..].as_chunks_mut();
         places.iter_mut().zip(numbers).for_each(|(place, number)| *place = number);
         [at / N, count]

@@ -1,4 +1,4 @@
-//! The server: connections, one after another, each with its limits.
+//! Server: accepts connections, each with its limits.
 
 use std::error::Error;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -33,18 +33,19 @@ use crate::route::{Cost, Route};
 use crate::session::Session;
 use crate::turns::{Turn, Turns};
 
-/// What to serve, and where.
+/// Options of the server: files and address.
 #[derive(Clone, Debug, Default)]
 pub struct LiveOptions {
-    /// The port on the loopback address; 0 takes a free one.
+    /// Port on the loopback address; 0 selects a free one.
     pub port: u16,
-    /// Files to show: scenarios, meshes, robots, molecules, particles. Without one there is a scenario to begin with.
+    /// Files to show: scenarios, meshes, robots, molecules, particles. Without files, a default
+    /// scenario is shown.
     pub files: Vec<PathBuf>,
-    /// A lesson to begin with: the id of one of [`lessons`](crate::lessons), or a file of one's own.
+    /// Lesson to begin with: the id of one of [`lessons`](crate::lessons), or a file.
     pub lesson: Option<String>,
 }
 
-/// A page that listens, and answers when it runs.
+/// A server that listens, and answers once it runs.
 #[derive(Debug)]
 pub struct Live {
     listener: std::net::TcpListener,
@@ -52,7 +53,7 @@ pub struct Live {
 }
 
 impl Live {
-    /// Opens the files, and listens.
+    /// Opens the files and listens on the address.
     ///
     /// # Errors
     /// [`LiveError`] if a file cannot be opened, or the address cannot be listened on.
@@ -81,7 +82,7 @@ impl Live {
         Ok(Self { listener, session: Arc::new(session) })
     }
 
-    /// The page's address, with its token: whoever has it can ask.
+    /// Returns the address of the page, with its token. Anyone who has the address is admitted.
     pub fn address(&self) -> String {
         let address = self.session.guard.address();
         match &self.session.lessons.first {
@@ -90,16 +91,18 @@ impl Live {
         }
     }
 
-    /// The status with which a POST of the page is answered, without a connection; `path` is what stands behind the token.
+    /// Returns the HTTP status of a POST request of the page, without a connection; `path` is the
+    /// part after the token.
     ///
-    /// Serves tests and fuzzing: checks of the connection, such as that of the token, are skipped.
+    /// This is for tests and fuzzing: checks of the connection, such as that of the token, are
+    /// skipped.
     pub fn status_of(&self, path: &str, body: &[u8]) -> u16 {
         let route = Route::of(&Method::POST, path, None);
         let answer = route.and_then(|route| route.answer(body, &self.session, &AtomicBool::new(false)));
         answer.map_or_else(|refusal| refusal.status.as_u16(), |answer| answer.status().as_u16())
     }
 
-    /// Answers until the process is interrupted or told to end.
+    /// Answers requests until the process is interrupted or terminated.
     ///
     /// # Errors
     /// [`LiveError::Start`].
@@ -107,7 +110,7 @@ impl Live {
         self.run_until(interrupted())
     }
 
-    /// Answers as long as this is true, which is looked at often: for a program that ends by its own rules.
+    /// Answers requests while `goes_on` is true. The value is checked every 20 ms.
     ///
     /// # Errors
     /// [`LiveError::Start`].
@@ -129,13 +132,13 @@ impl Live {
             tokio::spawn(async move { accept(&listener, &session).await });
             end.await
         });
-        // A computation that nobody waits for does not hold the end up.
+        // Computations that nobody waits for do not delay the end.
         runtime.shutdown_background();
         served.map_err(|error| LiveError::Start { error })
     }
 }
 
-/// A text as a part of an address.
+/// Percent-encodes a text as a part of an address.
 fn encoded(text: &str) -> String {
     let one = |byte: u8| match byte {
         b'-' | b'_' | b'.' => char::from(byte).to_string(),
@@ -145,7 +148,7 @@ fn encoded(text: &str) -> String {
     text.bytes().map(one).collect()
 }
 
-/// Ends at Ctrl-C, or when the system asks.
+/// Completes at Ctrl-C, or when the system terminates the process.
 async fn interrupted() -> std::io::Result<()> {
     #[cfg(unix)]
     {
@@ -166,12 +169,12 @@ async fn interrupted() -> std::io::Result<()> {
     tokio::signal::ctrl_c().await
 }
 
-/// Takes connections for ever, so many at a time.
+/// Accepts connections forever, up to the maximum number at a time.
 async fn accept(listener: &TcpListener, session: &Arc<Session>) {
     let connections = Arc::new(Connections::default());
     loop {
         let Ok((stream, _)) = listener.accept().await else {
-            // As when there are no more file descriptors: some will be given back.
+            // This happens if there are no more file descriptors. Wait until some are released.
             tokio::time::sleep(Duration::from_millis(50)).await;
             continue;
         };
@@ -192,7 +195,7 @@ async fn accept(listener: &TcpListener, session: &Arc<Session>) {
                 .header_read_timeout(limits::HEADERS)
                 .max_buf_size(64 << 10)
                 .serve_connection(TokioIo::new(stream), service);
-            // What goes wrong with a connection is the other side's affair.
+            // Errors of a connection concern only the client.
             let _ = connection.await;
         });
         place.served_by(task.abort_handle());
@@ -242,7 +245,7 @@ async fn answered(
     answer.ok_or_else(long)
 }
 
-/// Computes an answer in another thread; `None` of a motion that takes longer than `most`.
+/// Computes an answer in another thread; `None` for a motion that takes longer than `most`.
 async fn computed(
     route: &Arc<Route>,
     body: &Bytes,
@@ -254,7 +257,7 @@ async fn computed(
     let (flag, session, route, body) = (stop.0.clone(), session.clone(), route.clone(), body.clone());
     let work = tokio::task::spawn_blocking(move || {
         let answer = route.answer_within(most, &body, &session, &flag);
-        // Until here it computes, whether or not somebody waits.
+        // The turn lasts as long as the computation, even if nobody waits.
         turn.end();
         answer
     });
@@ -266,13 +269,14 @@ fn long() -> Refusal {
     Refusal::new(StatusCode::SERVICE_UNAVAILABLE, took)
         .hint("a smaller mesh, or the command itself, which takes its time")
 }
-/// The body, if it is no larger than it may be and comes in time.
+/// Returns the body, if it is not too large and arrives in time.
 async fn whole(body: Incoming, most: usize) -> Result<Bytes, Refusal> {
     let collected = timeout(limits::BODY, Limited::new(body, most).collect()).await;
     Ok(collected.map_err(late)?.map_err(|error| broken(&*error, most))?.to_bytes())
 }
 
-/// Keeps the body as a file of a set, under the same conditions: it is written while it comes, by another thread.
+/// Saves the body as a file of a set, under the same conditions. Another thread writes it while it
+/// arrives.
 async fn kept(
     body: Incoming,
     most: usize,
@@ -296,7 +300,7 @@ async fn kept(
         while let Some(frame) = body.frame().await {
             let frame = frame.map_err(|error| broken(&*error, most))?;
             let Ok(bytes) = frame.into_data() else { continue };
-            // What is not kept any more has its reason.
+            // If the writer has ended, it reports the reason itself.
             if frames.send(Some(bytes)).await.is_err() {
                 break;
             }
@@ -308,7 +312,7 @@ async fn kept(
     keeping.await.map_err(defect)?
 }
 
-/// Frames of a body that wait to be written.
+/// Maximum number of frames of a body that wait to be written.
 const AHEAD: usize = 16;
 
 fn late(_: Elapsed) -> Refusal {
@@ -327,7 +331,8 @@ fn defect(_: JoinError) -> Refusal {
     Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "a defect of polhode: please report it")
 }
 
-/// Ends the light turn of a computation that overruns it, or that nobody waits for any more: [`Turns::make_heavy`].
+/// Ends the light turn of a computation that overruns it, or that nobody waits for:
+/// [`Turns::make_heavy`].
 struct LightTurn {
     session: Arc<Session>,
     turn: Turn,
@@ -339,7 +344,8 @@ impl Drop for LightTurn {
     }
 }
 
-/// Stops a computation when nobody waits for it any more: the connection is closed, and what waits for the answer is dropped.
+/// Stops a computation when nobody waits for it: the connection is closed, and the future of the
+/// answer is dropped.
 struct StopOnDrop(Arc<AtomicBool>);
 
 impl Drop for StopOnDrop {

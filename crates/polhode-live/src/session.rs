@@ -1,4 +1,4 @@
-//! What all requests of a page share.
+//! State that all requests of a page share.
 
 use crate::documents::Documents;
 use crate::dropped::Dropped;
@@ -6,7 +6,7 @@ use crate::guard::Guard;
 use crate::lesson::Lessons;
 use crate::turns::Turns;
 
-/// What all requests of a page share.
+/// State that all requests of a page share.
 #[derive(Debug)]
 pub(crate) struct Session {
     pub(crate) guard: Guard,

@@ -8,16 +8,16 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use crate::answer::Refusal;
 use crate::limits;
 
-/// Computations that run and wait, by what they may cost.
+/// Running and waiting computations, by their cost.
 #[derive(Debug)]
 pub(crate) struct Turns {
     light: Arc<Semaphore>,
     heavy: Arc<Semaphore>,
-    /// Heavy computations that run or wait.
+    /// Permits of heavy computations that run or wait.
     queue: Arc<Semaphore>,
 }
 
-/// A turn to compute, until it ends or the last clone is dropped.
+/// Permission to compute, until it ends or the last clone is dropped.
 #[derive(Clone, Debug)]
 pub(crate) struct Turn(Arc<Mutex<Vec<OwnedSemaphorePermit>>>);
 
@@ -41,13 +41,13 @@ impl Turns {
         }
     }
 
-    /// The next turn for what is done soon.
+    /// Waits for the next turn of a short computation.
     pub(crate) async fn light(&self) -> Result<Turn, Refusal> {
         let running = self.light.clone().acquire_owned().await.map_err(|_| closed())?;
         Ok(Turn::of(vec![running]))
     }
 
-    /// The next turn for what may take long.
+    /// Waits for the next turn of a long computation.
     ///
     /// # Errors
     /// If too many wait already.
@@ -60,8 +60,8 @@ impl Turns {
         Ok(Turn::of(vec![running, waiting]))
     }
 
-    /// Counts a light turn, which takes longer than it may, among the heavy ones that wait, so that
-    /// it keeps no light one out. Without a free place there it stays what it is.
+    /// Counts a light turn that takes too long among the waiting heavy ones, so that it does not
+    /// block a light one. Without a free place, nothing changes.
     pub(crate) fn make_heavy(&self, turn: &Turn) {
         let mut permits = turn.0.lock().unwrap_or_else(PoisonError::into_inner);
         // A turn without permits has ended.

@@ -1,11 +1,12 @@
-//! Offsets in UTF-16 units, as JavaScript counts, and in bytes.
+//! Conversion between offsets in UTF-16 units, as in JavaScript, and in bytes.
 
-/// The offset in UTF-16 units of a byte; of one inside a character, the character's.
+/// Returns the offset in UTF-16 units of a byte; for a byte inside a character, that of the
+/// character.
 pub(crate) fn of_byte(text: &str, byte: usize) -> usize {
     text.char_indices().take_while(|(at, _)| *at < byte).map(|(_, c)| c.len_utf16()).sum()
 }
 
-/// The byte of an offset in UTF-16 units, the end at most.
+/// Returns the byte of an offset in UTF-16 units, at most the end of the text.
 pub(crate) fn to_byte(text: &str, offset: usize) -> usize {
     let mut units = 0;
     let found = text.char_indices().find(|(_, c)| {

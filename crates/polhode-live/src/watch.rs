@@ -1,4 +1,4 @@
-//! Whether what takes time goes on.
+//! Conditions for the continuation of a computation.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -7,7 +7,7 @@ use hyper::StatusCode;
 
 use crate::answer::Refusal;
 
-/// True until nobody waits for the answer any more, or so much time is over.
+/// Returns a function that is true until `stop` is set, or until the time `most` has elapsed.
 pub(crate) fn within(most: Duration, stop: &AtomicBool) -> impl Fn() -> bool + Sync {
     let begun = Instant::now();
     move || !stop.load(Ordering::Relaxed) && begun.elapsed() < most

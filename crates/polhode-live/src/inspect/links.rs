@@ -1,4 +1,4 @@
-//! What the links of a robot look like: what is to be seen of each, or what is to be touched where nothing is to be seen.
+//! Shapes of a robot's links: visual shapes, or collision shapes of a link without visual ones.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -12,17 +12,17 @@ use polhode_robot::model::{Geometry, GeometryShape, Link, RobotModel, Role, Span
 use polhode_scenario::report::display::{decimated, shape_of};
 use serde_json::{Value, json};
 
-/// Triangles of a whole robot: of more, as many as look the same.
+/// Maximum number of triangles of a robot. A robot with more is shown with coarser meshes.
 const TRIANGLES: usize = 150_000;
 
-/// The shapes of all links, in the order of the model's.
+/// Shapes of all links, in the order of the model's links.
 pub(super) struct LinkShapes {
-    /// Each as `Shape` of `viewer/src/data.ts`, in the link's frame.
+    /// Shapes of each link as `Shape` of `viewer/src/data.ts`, in the link's frame.
     pub(super) shapes: Vec<Vec<Value>>,
     pub(super) not_shown: Vec<NotShown>,
 }
 
-/// A shape that is not among them.
+/// A shape that cannot be shown.
 pub(super) struct NotShown {
     pub(super) link: usize,
     pub(super) span: Span,
@@ -30,7 +30,7 @@ pub(super) struct NotShown {
 }
 
 impl LinkShapes {
-    /// Of a model whose mesh files `measured` has read, or reads.
+    /// Makes the shapes of a model whose mesh files `measured` has read, or reads now.
     pub(super) fn of(model: &RobotModel, measured: &Shapes<'_>) -> Self {
         let mut meshes = Meshes { measured, triangles: 0, coarse: HashMap::new() };
         meshes.triangles = model.links.iter().flat_map(seen).map(|geometry| meshes.count(geometry)).sum();
@@ -49,23 +49,23 @@ impl LinkShapes {
     }
 }
 
-/// What is to be seen of a link, or to be touched.
+/// Returns the visual shapes of a link, or its collision shapes if it has no visual ones.
 fn seen(link: &Link) -> impl Iterator<Item = &Geometry> {
     let is_seen = link.geometry.iter().any(|geometry| geometry.role == Role::Visual);
     let role = if is_seen { Role::Visual } else { Role::Collision };
     link.geometry.iter().filter(move |geometry| geometry.role == role)
 }
 
-/// The meshes of a robot, each read once and made coarser once.
+/// Meshes of a robot, each read once and made coarser once.
 struct Meshes<'a, 'b> {
     measured: &'a Shapes<'b>,
-    /// Of all of them, as often as the robot has them.
+    /// Number of triangles of all meshes, counted as often as the robot has them.
     triangles: usize,
     coarse: HashMap<&'a Path, Arc<TriangleMesh>>,
 }
 
 impl<'a> Meshes<'a, '_> {
-    /// Triangles of a shape.
+    /// Returns the number of triangles of a shape.
     fn count(&mut self, geometry: &Geometry) -> usize {
         match &geometry.shape {
             GeometryShape::Mesh { path: Ok(path), .. } => {
@@ -75,7 +75,7 @@ impl<'a> Meshes<'a, '_> {
         }
     }
 
-    /// A shape in its link's frame, or why it is not shown.
+    /// Returns a shape in its link's frame, or the reason why it is not shown.
     fn shape(&mut self, geometry: &'a Geometry, name: &str) -> Result<Value, String> {
         let (form, of) = self.form(&geometry.shape)?;
         let no_place = || "its place is beyond the largest double".to_owned();
@@ -93,7 +93,7 @@ impl<'a> Meshes<'a, '_> {
         Ok(shape)
     }
 
-    /// A shape in its own frame, and how many triangles it has.
+    /// Returns a shape in its own frame, and its number of triangles.
     fn form(&mut self, shape: &'a GeometryShape) -> Result<(Form, usize), String> {
         let (form, sizes) = match *shape {
             GeometryShape::Box(size) => (Form::Box { size }, size.to_vec()),
@@ -122,7 +122,7 @@ impl<'a> Meshes<'a, '_> {
         }
     }
 
-    /// A mesh with its part of the triangles.
+    /// Returns a mesh with its share of the triangles.
     fn coarse(&mut self, path: &'a Path, surface: &Arc<TriangleMesh>) -> Arc<TriangleMesh> {
         if self.triangles <= TRIANGLES {
             return surface.clone();
@@ -133,7 +133,8 @@ impl<'a> Meshes<'a, '_> {
     }
 }
 
-/// With every vertex scaled along the axes; a mirror leaves the outer side outside.
+/// Scales every vertex along the axes. For a mirror image, it reverses the triangles so that
+/// normals remain outward.
 fn scaled(mesh: &TriangleMesh, scale: [f64; 3]) -> Result<TriangleMesh, BodyError> {
     let mirrors = scale.iter().filter(|factor| **factor < 0.0).count() % 2 == 1;
     let place = |vertex: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| scale[k] * vertex[k]) };

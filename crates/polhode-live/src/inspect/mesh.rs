@@ -1,7 +1,8 @@
-//! A mesh, and all that is wrong with it, where it is.
+//! Inspection of a mesh: all its errors and their places.
 //!
-//! It is taken as a scenario takes it, all parts of the file as one surface. The findings are the core's, in the words of
-//! `polhode inertia`, which stops at the first error. Numbers in the sentences are those of the file, places are in metres.
+//! The mesh is read as a scenario reads it, with all parts of the file as one surface. The findings
+//! are those of the core and of `polhode inertia`, which stops at the first error. Numbers in
+//! messages are in the file's unit; places are in metres.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -19,26 +20,26 @@ use serde::Serialize;
 use crate::part_names::PartNames;
 use crate::rows::{Row, Rows};
 
-/// Places that a finding marks.
+/// Maximum number of places that a finding marks.
 pub(crate) const MARKS: usize = 20_000;
 
-/// Triangles that are shown; of more, as many as look the same.
+/// Maximum number of triangles shown. A mesh with more is made coarser.
 const SHOWN: usize = 300_000;
 
-/// Findings that are listed.
+/// Maximum number of findings listed.
 const LISTED: usize = 200;
 
 #[derive(Debug, Serialize)]
 pub(crate) struct MeshInspection {
     name: String,
-    /// f32, m.
+    /// Coordinates as f32, m.
     vertices: Row,
-    /// u32.
+    /// Vertex indices as u32.
     triangles: Row,
-    /// How many the file has.
+    /// Number of triangles in the file.
     of: usize,
     findings: Vec<MeshFinding>,
-    /// The numbers of them.
+    /// Numbers of all rows.
     #[serde(skip)]
     pub(crate) rows: Bytes,
 }
@@ -48,16 +49,16 @@ struct MeshFinding {
     code: &'static str,
     severity: &'static str,
     message: String,
-    /// What to do about it.
+    /// Advice for a fix.
     hint: Option<&'static str>,
-    /// f32, m: pairs of points.
+    /// Marked edges as pairs of points, f32, m.
     edges: Row,
-    /// f32, m: three corners each.
+    /// Marked triangles as three corners each, f32, m.
     faces: Row,
 }
 
 impl MeshInspection {
-    /// Of what the file has as one part, and its flaws; `unit` is in metres.
+    /// Inspects the contents of a file as one part, with its flaws; `unit` is in metres.
     pub(crate) fn of(
         name: &str,
         contents: &MeshContents,
@@ -77,7 +78,7 @@ impl MeshInspection {
         Self::shown(name, &flaws.surface, contents.triangles(), findings, unit)
     }
 
-    /// Of what the file has as one part, which bounds a solid.
+    /// Inspects the contents of a file as one part that bounds a solid.
     pub(crate) fn of_solid(
         name: &str,
         contents: &MeshContents,
@@ -128,7 +129,7 @@ impl MeshInspection {
     }
 }
 
-/// A finding and what it marks, in the file's unit.
+/// A finding and its marked places, in the file's unit.
 #[derive(Debug)]
 struct Marked {
     finding: Finding,
@@ -147,21 +148,21 @@ impl Marked {
         Self::unmarked(Finding { code, severity: Severity::Info, message, place: None })
     }
 
-    /// Marks edges, of so many.
+    /// Marks edges; `of` is their total number.
     fn edges(mut self, places: &[EdgePlace], of: usize) -> Self {
         self.edges.extend(places.iter().take(MARKS).map(|place| place.ends));
         let marked = self.edges.len();
         self.says_how_many(marked, of, "edges")
     }
 
-    /// Marks triangles, of so many.
+    /// Marks triangles; `of` is their total number.
     fn triangles(mut self, places: &[TrianglePlace], of: usize) -> Self {
         self.faces.extend(places.iter().take(MARKS).map(|place| place.corners));
         let marked = self.faces.len();
         self.says_how_many(marked, of, "triangles")
     }
 
-    /// Marks both triangles of each pair, of so many pairs.
+    /// Marks both triangles of each pair; `of` is the total number of pairs.
     fn pairs(mut self, pairs: &[PairPlace], of: usize, mesh: &TriangleMesh) -> Self {
         let mut numbers = BTreeSet::new();
         let mut marked = 0;
@@ -178,7 +179,7 @@ impl Marked {
 
     fn says_how_many(mut self, marked: usize, of: usize, what: &str) -> Self {
         if marked < of {
-            // Pairs are not counted to their end.
+            // The number of pairs is incomplete above this limit.
             let of = if of > 10_000 && what == "pairs" { "them".to_owned() } else { format!("{of}") };
             self.finding.message += &format!("; {marked} {what} of {of} are marked");
         }
@@ -214,7 +215,7 @@ const fn rank(severity: Severity) -> u8 {
     }
 }
 
-/// The corners of a triangle by its number, from 1.
+/// Returns the corners of a triangle by its number, from 1.
 fn corners(mesh: &TriangleMesh, number: usize) -> Option<Triangle> {
     let corners = mesh.triangles().get(number.checked_sub(1)?)?;
     let at = |k: u32| mesh.coordinates().get(k as usize).copied();
@@ -222,14 +223,14 @@ fn corners(mesh: &TriangleMesh, number: usize) -> Option<Triangle> {
     Some([a?, b?, c?])
 }
 
-/// That the unit, in metres, is not the file's own.
+/// Returns a remark if the unit, in metres, was assumed.
 fn assumed(contents: &MeshContents, unit: f64) -> Option<Marked> {
     let word = if unit == 1.0 { "metres" } else { "millimetres" };
     let message = format!("the file does not say its unit of length: {word} are taken by its size");
     contents.unit.is_none().then(|| Marked::remark("mesh.unit", message))
 }
 
-/// What is wrong with a surface.
+/// Returns the errors of a surface.
 fn wrong(flaws: &MeshFlaws, parts: &PartNames) -> Vec<Marked> {
     let of_each = |error: &BodyError| {
         let message = match first_triangle(error).and_then(|triangle| parts.of_triangle(triangle)) {
@@ -245,7 +246,7 @@ fn wrong(flaws: &MeshFlaws, parts: &PartNames) -> Vec<Marked> {
     flaws.errors().map(of_each).chain(findings).collect()
 }
 
-/// The triangle that an error names first, from 1.
+/// Returns the number of the first triangle in an error, from 1.
 const fn first_triangle(error: &BodyError) -> Option<usize> {
     match error {
         BodyError::OpenMesh { triangle, .. }
@@ -259,7 +260,7 @@ const fn first_triangle(error: &BodyError) -> Option<usize> {
     }
 }
 
-/// What to do about a finding, where there is something to do.
+/// Returns advice for a finding, if there is any.
 fn hint(code: &str) -> Option<&'static str> {
     Some(match code {
         "mesh.flipped" => "make the normals consistent in the tool that made the mesh",
@@ -291,7 +292,7 @@ fn of_error(marked: Marked, error: &BodyError, flaws: &MeshFlaws) -> Marked {
     }
 }
 
-/// What a diagnosis counts, and where that is.
+/// Places that a diagnosis counts.
 #[derive(Clone, Copy)]
 struct Places<'a> {
     diagnosis: &'a MeshDiagnosis,
@@ -308,7 +309,7 @@ impl Places<'_> {
                 let of = diagnosis.components.iter().map(|part| part.flipped).sum();
                 marked.triangles(&places.flipped, of)
             }
-            // They have no area to be seen.
+            // Degenerate triangles have no visible area, so their edges are marked.
             "mesh.degenerate" => {
                 let side = |place: &TrianglePlace| {
                     let [a, b, c] = place.corners;
@@ -327,7 +328,7 @@ impl Places<'_> {
     }
 }
 
-/// The name of an error for programs, as those of findings are.
+/// Returns the identifier of an error for programs, like those of findings.
 const fn code(error: &BodyError) -> &'static str {
     match error {
         BodyError::Empty { .. } => "mesh.empty",

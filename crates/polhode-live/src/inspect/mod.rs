@@ -1,4 +1,4 @@
-//! What is found in a file that is no scenario: a mesh that bounds no solid, a robot.
+//! Inspection of files that are not scenarios: a mesh that is not closed, or a robot.
 
 mod links;
 mod mesh;
@@ -9,7 +9,7 @@ use serde::Serialize;
 pub(crate) use mesh::{MARKS, MeshInspection};
 pub(crate) use robot::RobotInspection;
 
-/// What is found, as `GET document/ID` answers it.
+/// Inspection of a file, as `GET document/ID` returns it.
 #[derive(Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub(crate) enum Inspection<'a> {

@@ -1,6 +1,7 @@
-//! A robot as it stands with all joints at zero, what is wrong with its inertias, and the repair that `polhode check --fix` would write.
+//! Inspection of a robot with all joints at zero, with the errors of its inertias and the repair of
+//! `polhode check --fix`.
 //!
-//! Nothing is written. A model that was dropped opens no file but those that were dropped with it.
+//! No file is written. A dropped model can open only files that were dropped with it.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -38,7 +39,7 @@ struct RobotLink {
     name: String,
     position: [f64; 3],
     quaternion: [f64; 4],
-    /// `Shape` of the page.
+    /// Shapes as `Shape` of the page.
     shapes: Vec<Value>,
     inertial: Option<LinkInertial>,
     verdict: &'static str,
@@ -64,7 +65,7 @@ struct RobotFinding {
     code: &'static str,
     severity: &'static str,
     message: String,
-    /// The file of the place, if it is one that the model includes.
+    /// File of the place, if it is a file that the model includes.
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<String>,
     line: usize,
@@ -86,7 +87,8 @@ struct Change {
 }
 
 impl RobotInspection {
-    /// Inspects a file, which may open others in these folders besides its own; `name` is for messages, and `stop` ends it.
+    /// Inspects a file, which may open others in its own folder and in `roots`. `name` is for
+    /// messages, and `stop` ends the inspection.
     pub(crate) fn of(
         name: &str,
         path: &Path,
@@ -124,7 +126,7 @@ impl RobotInspection {
         let repaired = proved(&model, &found, |text| {
             read_text(text, path, &options).map(|model| inspect(&model, &shapes).findings)
         });
-        // A repair that cannot be read again proves nothing.
+        // A repaired text that cannot be read again is not offered.
         let repair = repaired.ok().filter(|(repaired, _)| !repaired.applied.is_empty());
         let repair = repair.map(|(repaired, _)| Repair {
             changes: changes(&model.text, &repaired.text),
@@ -153,7 +155,7 @@ impl RobotInspection {
     }
 }
 
-/// The first link of each name.
+/// Returns the index of the first link with each name.
 fn numbers(model: &RobotModel) -> HashMap<&str, usize> {
     let mut numbers = HashMap::with_capacity(model.links.len());
     for (k, link) in model.links.iter().enumerate() {
@@ -162,7 +164,7 @@ fn numbers(model: &RobotModel) -> HashMap<&str, usize> {
     numbers
 }
 
-/// The worst that was found of each.
+/// Returns the greatest severity found for each link.
 fn severities(findings: &[Finding]) -> HashMap<&str, Severity> {
     let mut severities: HashMap<&str, Severity> = HashMap::new();
     for finding in findings {
@@ -175,7 +177,7 @@ fn severities(findings: &[Finding]) -> HashMap<&str, Severity> {
 }
 
 impl RobotFinding {
-    /// A finding at a place of the model's files.
+    /// Makes a finding at a place in the model's files.
     fn at(
         places: &Places<'_>,
         span: &Span,
@@ -211,10 +213,11 @@ impl RobotFinding {
     }
 }
 
-/// Where the links stand in the model's frame, all joints at zero.
+/// Poses of the links in the model's frame, with all joints at zero.
 struct Stands {
     poses: Vec<Pose>,
-    /// Those of which that cannot be said: on a cycle, on a link that is not there, too far away for an f64. They stand at the origin.
+    /// Links without a known pose: on a cycle, on a missing link, or beyond the range of f64. They
+    /// are placed at the origin.
     unplaced: Vec<usize>,
 }
 
@@ -223,7 +226,7 @@ impl Stands {
         let is_finite = |pose: &Pose| pose.position.iter().chain(&pose.rotation).all(|x| x.is_finite());
         let poses = match model.format {
             ModelFormat::Urdf | ModelFormat::Osim => down_the_tree(model),
-            // These languages say it of the links.
+            // These formats give the poses of links directly.
             ModelFormat::Sdf | ModelFormat::Mjcf | ModelFormat::Usd => {
                 model.links.iter().map(|link| Some(link.pose.clone())).collect()
             }
@@ -239,7 +242,8 @@ impl Stands {
     }
 }
 
-/// The poses of links by the joints that carry them: of several, the first. `None` for those that no root carries.
+/// Returns the poses of links from the joints that carry them, the first if there are several;
+/// `None` for links not connected to a root.
 fn down_the_tree(model: &RobotModel) -> Vec<Option<Pose>> {
     let numbers = numbers(model);
     let mut carried: Vec<Option<&Joint>> = vec![None; model.links.len()];
@@ -284,7 +288,8 @@ fn down_the_tree(model: &RobotModel) -> Vec<Option<Pose>> {
     poses
 }
 
-/// Mass, centre and equivalent box in the link's frame; `None` if mass or centre are not said, or are no numbers.
+/// Returns mass, centre and equivalent box in the link's frame; `None` if mass or centre are
+/// missing or invalid.
 fn inertial(format: ModelFormat, link: &Link) -> Option<LinkInertial> {
     let written = link.inertial.as_ref()?;
     if let Ok(LinkMass::Body(body)) = link_mass(format, link) {
@@ -303,8 +308,8 @@ fn inertial(format: ModelFormat, link: &Link) -> Option<LinkInertial> {
     Some(LinkInertial { mass, center, equivalent_box: None })
 }
 
-/// The lines that differ. Repairs change numbers within lines; if there are other lines too, all from the first to the last that differs
-/// are one change.
+/// Returns the lines that differ. Repairs change numbers within lines. If the number of lines
+/// differs, everything from the first to the last difference is one change.
 fn changes(before: &str, after: &str) -> Vec<Change> {
     let [old, new] = [before, after].map(|text| text.split('\n').collect::<Vec<_>>());
     let plain = |line: &str| line.trim_end_matches('\r').to_owned();

@@ -1,4 +1,5 @@
-//! What a lesson has to be: its scenario moves at every step, and what its steps name is there.
+//! Validation of lessons: the scenario must move at every step, and must have everything that the
+//! steps name.
 
 use std::fs;
 use std::ops::Range;
@@ -25,37 +26,39 @@ use crate::protocol::{self, Edit};
 pub(super) struct Checked {
     pub(super) title: String,
     pub(super) summary: String,
-    /// Of the scenario, or where it would be.
+    /// Path of the scenario, or the path that it would have.
     pub(super) path: PathBuf,
     pub(super) draft: Draft,
     pub(super) scenario: String,
     pub(super) steps: Vec<LessonStep>,
 }
 
-/// The text of a lesson, for errors in it.
+/// Text and path of a lesson, for error messages.
 #[derive(Clone, Copy)]
 struct Source<'a> {
     path: &'a Path,
     text: &'a str,
 }
 
-/// A scenario, and where it stands.
+/// A scenario and its place.
 struct Scenario {
     path: PathBuf,
     text: String,
-    /// In the lesson: the key's value, and the first byte of the text if it stands there as it is.
+    /// Span of the key's value in the lesson, and the first byte of the text if the value is the
+    /// text itself.
     span: Range<usize>,
     begins: Option<usize>,
 }
 
-/// What a step can name of a scenario that moves.
+/// Names in a scenario to which a step may refer.
 struct Named {
     knobs: Vec<String>,
     headings: Vec<String>,
 }
 
 impl Checked {
-    /// `is_file` of one on the disk, which may name files beside it.
+    /// Reads a lesson. `is_file` is true for a file on the disk, which may refer to files in its
+    /// folder.
     pub(super) fn read(path: &Path, text: &str, is_file: bool) -> Result<Self, LessonError> {
         let source = Source { path, text };
         let file = File::read(path, text)?;
@@ -83,7 +86,7 @@ impl Source<'_> {
         LessonError::at(self.path, self.text, span, message)
     }
 
-    /// A text that says something.
+    /// Returns a text that is not empty.
     fn said(&self, text: &Spanned<String>) -> Result<String, LessonError> {
         match text.as_ref().trim() {
             "" => Err(self.at(&text.span(), "there is nothing in this text")),
@@ -104,7 +107,7 @@ impl Source<'_> {
             }
             (None, Some(written)) => {
                 let (span, text) = (written.span(), written.as_ref().clone());
-                // Behind ''' and the end of that line.
+                // The text begins after ''' and the end of that line.
                 let quotes = self
                     .text
                     .get(span.clone())
@@ -121,7 +124,7 @@ impl Source<'_> {
         }
     }
 
-    /// An error of the scenario: in its own file, or at its place in the lesson.
+    /// Makes an error of the scenario, in its own file or at its place in the lesson.
     fn of_scenario(&self, scenario: &Scenario, error: &Unmoved) -> LessonError {
         let Unmoved { message, hint, place } = error;
         let message = format!("the scenario: {message}");
@@ -213,14 +216,14 @@ impl Source<'_> {
     }
 }
 
-/// Why a scenario has no motion; the place is in its text.
+/// Reason why a scenario has no motion; the place is in its text.
 struct Unmoved {
     message: String,
     hint: Option<String>,
     place: Option<Range<usize>>,
 }
 
-/// Computes a motion, and lists what can be named of it.
+/// Computes a motion, and lists the names to which steps may refer.
 fn moving(draft: &Draft, text: &str) -> Result<Named, Unmoved> {
     let mut draft = draft.clone();
     let unread = |error: FormatError| {

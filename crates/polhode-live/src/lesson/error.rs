@@ -1,31 +1,31 @@
-//! Why a lesson cannot be used, and where in its file.
+//! Errors of lessons, with their place in the file.
 
 use std::fmt;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Why a lesson cannot be used: the file, the place, what is wrong, and what to do about it.
+/// Error of a lesson: the file, the place, a description, and advice for a fix.
 ///
 /// Prints as `path:line:column: message`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LessonError {
-    /// The lesson, or a file that it names.
+    /// Lesson, or a file to which it refers.
     pub path: PathBuf,
-    /// Line and character, from 1; `None` of the file as a whole.
+    /// Line and character, from 1; `None` for the whole file.
     pub place: Option<[usize; 2]>,
-    /// What is wrong, and the rule.
+    /// Description of the error, and the rule.
     pub message: String,
-    /// What to do about it, where there is something to say.
+    /// Advice for a fix, if there is any.
     pub hint: Option<String>,
 }
 
 impl LessonError {
-    /// An error of the file as a whole.
+    /// Makes an error of the whole file.
     pub(super) fn whole(path: &Path, message: impl Into<String>) -> Self {
         Self { path: path.to_owned(), place: None, message: message.into(), hint: None }
     }
 
-    /// An error at some bytes of its text.
+    /// Makes an error at a byte range of the text.
     pub(super) fn at(path: &Path, text: &str, span: &Range<usize>, message: impl Into<String>) -> Self {
         let before = &text[..text.floor_char_boundary(span.start.min(text.len()))];
         let line = 1 + before.matches('\n').count();

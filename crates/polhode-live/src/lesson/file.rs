@@ -1,4 +1,4 @@
-//! A lesson's file as it is written.
+//! A lesson's file as written.
 
 use std::path::Path;
 
@@ -7,15 +7,15 @@ use toml::Spanned;
 
 use super::error::LessonError;
 
-/// A lesson as it is written; book/lessons.md says what each key means.
+/// A lesson as written. `book/lessons.md` describes the keys.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct File {
     pub(super) title: Spanned<String>,
     pub(super) summary: Spanned<String>,
-    /// The name of a file beside it …
+    /// Name of a scenario file in the same folder.
     pub(super) scenario: Option<Spanned<String>>,
-    /// … or the scenario itself.
+    /// Text of the scenario, instead of a file.
     pub(super) scenario_text: Option<Spanned<String>>,
     #[serde(default, rename = "step")]
     pub(super) steps: Vec<Spanned<Step>>,
@@ -38,7 +38,7 @@ pub(super) struct Step {
 pub(super) struct Question {
     pub(super) text: Spanned<String>,
     pub(super) answers: Spanned<Vec<Spanned<String>>>,
-    /// Counted from 1.
+    /// Number of the right answer, from 1.
     pub(super) right: Spanned<usize>,
     pub(super) why: Spanned<String>,
 }

@@ -1,11 +1,11 @@
-//! The lessons that are part of the program.
+//! Lessons that are part of the program.
 
-/// A lesson of `lessons/` by its id, which is the file's name.
+/// Makes a list of the files of `lessons/` by id; the id is the name of the file.
 macro_rules! lessons {
     ($($id:literal)*) => { &[$(($id, include_str!(concat!("../../lessons/", $id, ".toml")))),*] };
 }
 
-/// Id and text, in the order in which they can be taken.
+/// Ids and texts of lessons, in the recommended order.
 pub(super) const INCLUDED: &[(&str, &str)] = lessons! {
     "cube"
     "parallel-axes"

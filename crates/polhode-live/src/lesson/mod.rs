@@ -1,7 +1,9 @@
-//! Lessons: a few steps of text, each with a question to be answered before the motion is seen, and with the knobs that it is about.
+//! Lessons: a few steps of text, each with a question to answer before the motion is shown, and
+//! with its knobs.
 //!
-//! A lesson is a small TOML file. Those of `lessons/` are part of the program; a teacher's own is read from the disk, anew whenever the
-//! page asks for it. [`check`] refuses what the page could not show.
+//! A lesson is a small TOML file. Those in `lessons/` are part of the program. A teacher's own
+//! lesson is read from the disk each time the page requests it. [`check`] refuses a lesson that the
+//! page could not show.
 
 mod check;
 mod error;
@@ -22,7 +24,7 @@ pub use error::LessonError;
 use file::File;
 use included::INCLUDED;
 
-/// The lessons that are part of the program, in the order in which they can be taken.
+/// Returns the lessons that are part of the program, in the recommended order.
 pub fn lessons() -> impl Iterator<Item = LessonInfo> {
     INCLUDED.iter().filter_map(|(id, text)| info(id, Path::new(id), text).ok())
 }
@@ -32,18 +34,19 @@ fn info(id: &str, path: &Path, text: &str) -> Result<LessonInfo, LessonError> {
     Ok(LessonInfo { id: id.to_owned(), title: title.into_inner(), summary: summary.into_inner() })
 }
 
-/// The lessons of a session: those of the program, and a teacher's own.
+/// Lessons of a session: those of the program, and a teacher's own.
 #[derive(Debug, Default)]
 pub(crate) struct Lessons {
     own: Option<PathBuf>,
-    /// The one that the session begins with.
+    /// Id of the lesson with which the session begins.
     pub(crate) first: Option<String>,
-    /// What was opened: the lesson's id, its scenario, and the document with that.
+    /// Opened lessons: id, scenario, and the document with the scenario.
     opened: Mutex<Vec<(String, String, Arc<Document>)>>,
 }
 
 impl Lessons {
-    /// With a lesson to begin with: the id of one of the program's, or a file.
+    /// Makes the lessons of a session that begins with a lesson: the id of one of the program's, or
+    /// a file.
     pub(crate) fn beginning_with(name: Option<&str>) -> Result<Self, LessonError> {
         let Some(name) = name else { return Ok(Self::default()) };
         let path = PathBuf::from(name);
@@ -55,12 +58,12 @@ impl Lessons {
             return Err(LessonError::whole(&path, "there is no lesson of this name")
                 .hint(format!("one of {}; or a file of your own, which ends in .toml", ids.join(", "))));
         }
-        // The names of the program's have no dot in them.
+        // Ids of the program's lessons contain no dot.
         let id = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         Ok(Self { first: Some(id), own: Some(path), ..Self::default() })
     }
 
-    /// The teacher's own comes first.
+    /// Returns all lessons, the teacher's own first.
     pub(crate) fn list(&self) -> Vec<LessonInfo> {
         let own = self.own.iter().filter_map(|path| {
             let text = fs::read_to_string(path).ok()?;
@@ -69,7 +72,7 @@ impl Lessons {
         own.chain(lessons()).collect()
     }
 
-    /// A lesson by its id, whose scenario is a document from now on.
+    /// Opens a lesson by its id. Its scenario becomes a document.
     pub(crate) fn open(&self, id: &str, documents: &Documents) -> Result<Lesson, Error> {
         let checked = match (text_of(id), &self.own) {
             (Some(text), _) => Checked::read(Path::new(&format!("{id}.toml")), text, false)?,
@@ -96,12 +99,12 @@ fn text_of(id: &str) -> Option<&'static str> {
     INCLUDED.iter().find(|(known, _)| *known == id).map(|(_, text)| *text)
 }
 
-/// Why a lesson is not opened.
+/// Reason why a lesson is not opened.
 #[derive(Debug)]
 pub(crate) enum Error {
-    /// There is none with this id.
+    /// No lesson has this id.
     Unknown,
-    /// It is not as it should be.
+    /// The lesson is invalid.
     Wrong(LessonError),
 }
 

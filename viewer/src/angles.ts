@@ -1,31 +1,32 @@
 /**
- * Euler angles over time. φ and ψ are drawn as they go on, not from −180° to 180°. At θ = 0 only φ + ψ exists, at 180° only φ − ψ: near
- * there, where samples do not follow φ and ψ, the sum or the difference is drawn beside them.
+ * Euler angles over time. φ and ψ are drawn continuously, not reduced to −180° … 180°. At θ = 0
+ * only φ + ψ is defined, and at 180° only φ − ψ. Near these angles, if samples do not resolve φ and
+ * ψ, the sum or the difference is drawn too.
  */
 import { euler313, type Vector } from "./attitude";
 import { at, length, type Motion } from "./motion";
 import type { Figure, Line } from "./plot/lines";
 
-/** Near an end of θ sin θ is below this: there only the sum of φ and ψ exists, or their difference. */
+/** Limit of sin θ, below which only φ + ψ or φ − ψ may be resolved. */
 const NEAR = 0.02;
 
-/** Where sin θ is below this, φ and ψ are rounding. */
+/** Limit of sin θ, below which φ and ψ are rounding errors. */
 const NOTHING = 1e-9;
 
-/** A turn of φ or ψ from a sample to the next that is not followed near an end of θ, rad. */
+/** Largest resolved change of φ or ψ between samples near θ = 0 or 180°, rad. */
 const LEAP = 1;
 
-/** A change from a sample to the next, °, that is the half turn of φ and ψ past an end of θ. */
+/** Change between samples that counts as the half turn of φ and ψ when θ passes 0 or 180°, °. */
 const HALF_TURN = 150;
 
-/** If the body turns by more from a sample to the next, rad, the angles are not followed. */
+/** Largest rotation of the body between samples for which the angles are resolved, rad. */
 const FOLLOWED = Math.PI / 2;
 
 export function angles(motion: Motion): Omit<Figure, "telling" | "aliased"> {
   const rows = Array.from({ length: motion.count }, (_, i) => euler313(motion.attitudeOf(i)));
   const followed = rows.map((_, i) => i > 0 && turn(motion, i) <= FOLLOWED);
   const both = told(rows);
-  // At the start alone nothing is missed.
+  // Nothing is missing if only the start is affected.
   const missed = rows.map(([, theta], i) => i > 0 && !both[i] && theta < Math.PI / 2);
   const [up, down] = [missed.includes(true), both.some((has, i) => i > 0 && !has && !missed[i])];
   const inks = ["axis-1", "axis-2", "axis-3"];
@@ -68,13 +69,16 @@ export function angles(motion: Motion): Omit<Figure, "telling" | "aliased"> {
   };
 }
 
-/** |ω| Δt to sample i from the one before, rad. */
+/** Rotation |ω| Δt from the previous sample to sample i, rad. */
 function turn(motion: Motion, i: number): number {
   const rate = Math.max(length(at(motion.omega, i - 1)), length(at(motion.omega, i)));
   return (motion.times[i] - motion.times[i - 1]) * rate;
 }
 
-/** Angles of which whole turns are not known, rad, as they go on from sample to sample, °; at each break anew from (−180°, 180°]. */
+/**
+ * Unwraps angles, rad, given up to whole turns, to continuous ones, °; after each gap they begin in
+ * (−180°, 180°].
+ */
 function goingOn(raw: Float64Array, followed: readonly boolean[]): Pick<Line, "values" | "starts"> {
   const values = new Float64Array(raw.length).fill(Number.NaN);
   const starts = new Uint8Array(raw.length);
@@ -86,7 +90,7 @@ function goingOn(raw: Float64Array, followed: readonly boolean[]): Pick<Line, "v
     starts[i] = Math.abs(next - before) < HALF_TURN ? 0 : 1;
     values[i] = starts[i] === 0 ? next : near(degrees(angle), 0);
   });
-  // A sample from which no line leads to another says nothing.
+  // A sample without a line to another one is dropped.
   for (let i = 0; i < values.length; i += 1) {
     const alone = starts[i] === 1 && (i + 1 >= values.length || starts[i + 1] === 1 || !Number.isFinite(values[i + 1]));
     if (alone && values.length > 1) values[i] = Number.NaN;
@@ -94,7 +98,10 @@ function goingOn(raw: Float64Array, followed: readonly boolean[]): Pick<Line, "v
   return { values, starts };
 }
 
-/** Whether φ and ψ can be told: not at an end of θ, and not near one where samples do not follow their half turn. */
+/**
+ * Returns for each sample whether φ and ψ are resolved: not at θ = 0 or 180°, and not near these if
+ * samples do not resolve their half turn.
+ */
 function told(rows: Vector[]): boolean[] {
   const has = rows.map(([, theta]) => Math.sin(theta) >= NOTHING);
   const near = rows.map(([, theta]) => Math.sin(theta) < NEAR);

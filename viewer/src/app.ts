@@ -1,4 +1,4 @@
-/** What the page shows, of one motion and then of another: the view, the clock and the panels, which all stay when the data change. */
+/** Page of a motion, which can be replaced by another: the view, the clock and the panels stay. */
 import { Clock, watchable } from "./clock";
 import type { PageData } from "./data";
 import { byId, element } from "./dom";
@@ -17,10 +17,10 @@ import { fileName, saveCanvas } from "./save/files";
 import { View } from "./scene/scene";
 import { onTheme } from "./theme";
 
-/** For tests and for curious people at the console. */
+/** Access for tests, and for inspection in the console. */
 interface Hook {
   clock: Clock;
-  /** (w, x, y, z) of the displayed body, read back from the scene; null without WebGL. */
+  /** Attitude (w, x, y, z) of the displayed body, read from the scene; null without WebGL. */
   attitudeAt: (time: number) => [number, number, number, number] | null;
   picture: () => HTMLCanvasElement | null;
   view: View | null;
@@ -34,17 +34,17 @@ declare global {
   }
 }
 
-/** The panels that the page has of its own. */
+/** The page's own panels. */
 export type Panels = Record<"plots" | "numbers" | "working" | "scenario" | "about", Tab>;
 
 export class App {
   readonly clock: Clock;
-  /** Null if the browser has no WebGL. */
+  /** View of the motion; null if the browser has no WebGL. */
   readonly view: View | null;
   readonly tabs: Tabs;
-  /** What keys do that the page has not of its own. */
+  /** Actions of additional keys. */
   readonly keys = new Map<string, () => void>();
-  /** Something else is seen in the place of the motion. */
+  /** True while something else is shown instead of the motion. */
   isAway = false;
   page: PageData;
   motion: Motion;
@@ -52,7 +52,7 @@ export class App {
   #saving: SaveDialog | null = null;
   #plots: Plots | null = null;
 
-  /** `choose`: which panels, in which order. */
+  /** `choose` selects the panels and their order. */
   constructor(page: PageData, choose: (own: Panels) => Tab[]) {
     this.page = page;
     this.motion = new Motion(page.motion);
@@ -87,8 +87,8 @@ export class App {
   }
 
   /**
-   * Shows another motion: from where the person looks, at the time and the speed, with the layers and the panel that are chosen; or
-   * `anew`, as the first one was shown. Throws `BadData`, and then nothing has changed.
+   * Shows another motion. Camera, time, speed, layers and panel are kept, unless `anew` shows it as
+   * a first one. Throws `BadData`, and then changes nothing.
    */
   show(page: PageData, anew = false): void {
     const motion = new Motion(page.motion);
@@ -102,7 +102,7 @@ export class App {
     }
     this.#legend?.update(page.scene.captions);
     byId("view-note").textContent = this.#coarser();
-    // The panels before the clock, whose listeners ask them for the samples of a time.
+    // Panels come before the clock, because its listeners request samples from them.
     this.tabs.refresh();
     this.clock.replace(motion.times);
     this.#saving?.changed();
@@ -119,7 +119,7 @@ export class App {
     return watchable(this.motion.meanRate(), times[count - 1] - times[0], this.page.scene.period);
   }
 
-  /** The heading is that of the motion. */
+  /** Sets the heading to that of the motion. */
   name(): void {
     const { title, source } = this.page;
     if (this.isAway || (byId("title").textContent === title && byId("source").textContent === source)) return;
@@ -177,7 +177,7 @@ export class App {
     };
   }
 
-  /** What the page itself has to say about how it shows the motion. */
+  /** Returns the page's own remarks on the display of the motion. */
   #notes(): string[] {
     const said: string[] = [];
     const { largestTurn } = this.motion;
@@ -199,7 +199,7 @@ export class App {
 function run(clock: Clock): void {
   let before: number | null = null;
   const tick = (now: number): void => {
-    // A page that was hidden does not leap.
+    // After a page was hidden, the time does not jump.
     if (before !== null) clock.advance(Math.min(Math.max(now - before, 0) / 1000, 0.25));
     before = clock.playing ? now : null;
     if (clock.playing) requestAnimationFrame(tick);
@@ -212,7 +212,7 @@ function run(clock: Clock): void {
   });
 }
 
-/** Says on the page what went wrong before it could show anything. */
+/** Shows on the page an error that occurs before anything can be shown. */
 export function orSay(start: () => void): void {
   try {
     start();
@@ -221,7 +221,7 @@ export function orSay(start: () => void): void {
   }
 }
 
-/** Says on the page what went wrong; null takes it back. */
+/** Shows an error on the page; null removes it. */
 export function say(problem: unknown): void {
   byId("problem").hidden = problem === null;
   byId("problem").textContent = problem instanceof Error ? problem.message : String(problem ?? "");

@@ -1,11 +1,13 @@
 /**
- * Attitudes between samples, and as Euler angles. A quaternion is (w, x, y, z) and takes components in body axes to components in
- * space axes, as everywhere in polhode.
+ * Attitudes between samples, and Euler angles. A quaternion is (w, x, y, z) and takes components in
+ * body axes to components in space axes, as everywhere in polhode.
  */
 export type Quaternion = [number, number, number, number];
 export type Vector = [number, number, number];
 
-/** q and −q are one attitude: turns the sign of each so that neighbours are near. Changes `rows` in place. */
+/**
+ * Makes successive quaternions continuous: q and −q are the same attitude. Changes `rows` in place.
+ */
 export function makeContinuous(rows: Float64Array): void {
   for (let i = 4; i + 3 < rows.length; i += 4) {
     const dot =
@@ -14,7 +16,10 @@ export function makeContinuous(rows: Float64Array): void {
   }
 }
 
-/** The steady rotation from a to b, at `part` of the way: sin((1 − s)θ)/sin θ a + sin(sθ)/sin θ b. */
+/**
+ * Returns the uniform rotation from a to b at the fraction `part`: sin((1 − s)θ)/sin θ
+ * a + sin(sθ)/sin θ b.
+ */
 export function slerp(a: Quaternion, b: Quaternion, part: number): Quaternion {
   let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   const sign = dot < 0 ? -1 : 1;
@@ -26,13 +31,15 @@ export function slerp(a: Quaternion, b: Quaternion, part: number): Quaternion {
   return unit([p * a[0] + q * b[0], p * a[1] + q * b[1], p * a[2] + q * b[2], p * a[3] + q * b[3]]);
 }
 
-/** Beyond this turn from one sample to the next, rad, rates say little about what is between. */
+/** Rotation between samples, rad, above which the rates say little about the motion in between. */
 const LARGE = 2;
 
 /**
- * The rotation from a to b in h seconds that also has the angular velocities u and v (body axes) at its ends. In the chart θ of rotation
- * vectors from a, θ' = h J⁻¹(θ) ω with J⁻¹(θ) ω = ω + ½ θ × ω + k θ × (θ × ω), k = 1/θ² − (1 + cos θ)/(2 θ sin θ); Hermite's cubic
- * through both ends is then right to h⁴. Large turns are steady instead.
+ * Rotation from a to b in h seconds with the angular velocities u and v (body axes) at its ends.
+ *
+ * In the chart θ of rotation vectors from a, θ' = h J⁻¹(θ) ω with J⁻¹(θ) ω = ω + ½ θ × ω + k
+ * θ × (θ × ω), k = 1/θ² − (1 + cos θ)/(2 θ sin θ). Hermite's cubic through both ends then has an
+ * error of order h⁴. Large rotations are uniform instead.
  */
 export function between(a: Quaternion, u: Vector, b: Quaternion, v: Vector, h: number, part: number): Quaternion {
   if (h * Math.max(Math.hypot(...u), Math.hypot(...v)) > LARGE) return slerp(a, b, part);
@@ -50,7 +57,7 @@ export function between(a: Quaternion, u: Vector, b: Quaternion, v: Vector, h: n
   return unit(product(a, quaternionOf(vector)));
 }
 
-/** The vector's components in space, where v has them in the body: q v q⁻¹. */
+/** Returns the space components q v q⁻¹ of a vector with body components v. */
 export function rotate(q: Quaternion, v: Vector): Vector {
   const [w, x, y, z] = q;
   // t = 2 u × v, result = v + w t + u × t
@@ -62,7 +69,10 @@ export function rotate(q: Quaternion, v: Vector): Vector {
 
 type Numbers = Float32Array | Float64Array | number[];
 
-/** The same from rows to rows, without making a vector: q at `i`, v at `j`, `size` times the result to `k`. */
+/**
+ * Rotates between arrays, without allocating a vector: q at `i`, v at `j`; `size` times the result
+ * goes to `k`.
+ */
 export function writeRotated(qs: ArrayLike<number>, i: number, vs: ArrayLike<number>, j: number, out: Numbers, k: number, size = 1): void {
   const w = qs[i];
   const x = qs[i + 1];
@@ -83,7 +93,10 @@ export function inverse([w, x, y, z]: Quaternion): Quaternion {
   return [w, -x, -y, -z];
 }
 
-/** Precession φ, nutation θ, spin ψ of R = Rz(φ) Rx(θ) Rz(ψ), rad; where only φ ± ψ is determined, ψ is 0. */
+/**
+ * Returns precession φ, nutation θ and spin ψ of R = Rz(φ) Rx(θ) Rz(ψ), rad; ψ is 0 where only φ ±
+ * ψ is determined.
+ */
 export function euler313([w, x, y, z]: Quaternion): Vector {
   const theta = 2 * Math.atan2(Math.hypot(x, y), Math.hypot(w, z));
   const halfSum = Math.atan2(z, w);
@@ -111,7 +124,7 @@ function cross(a: Vector, b: Vector): Vector {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
-/** The rotation vector of the shorter way. */
+/** Returns the rotation vector of the shorter rotation. */
 function vectorOf([w, x, y, z]: Quaternion): Vector {
   const sign = w < 0 ? -1 : 1;
   const sine = Math.hypot(x, y, z);

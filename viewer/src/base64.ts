@@ -1,4 +1,4 @@
-/** Base64 (RFC 4648 §4), for browsers of which some have no `Uint8Array.fromBase64` and `toBase64` yet. */
+/** Base64 (RFC 4648 §4). Some browsers do not have `Uint8Array.fromBase64` and `toBase64` yet. */
 
 interface FromBase64 {
   fromBase64?: (text: string) => Uint8Array<ArrayBuffer>;

@@ -1,20 +1,20 @@
 /**
- * The time that all views show. It knows no screen: whoever draws calls `advance` with the seconds that passed, and whoever shows
- * something subscribes.
+ * Time that all views show. The clock is independent of the screen: the drawing loop calls
+ * `advance` with the elapsed seconds, and views subscribe.
  */
 export class Clock {
-  /** s of the motion */
+  /** Time of the motion, s. */
   time: number;
   playing = false;
   loop = true;
-  /** Seconds of the motion in one second. */
+  /** Seconds of the motion in one second of real time. */
   speed: number;
 
   readonly #listeners: (() => void)[] = [];
 
   #times: Float64Array;
 
-  /** `times` ascend; there is at least one. */
+  /** `times` are ascending and not empty. */
   constructor(times: Float64Array, speed = 1) {
     this.#times = times;
     this.time = times[0];
@@ -25,7 +25,10 @@ export class Clock {
     return this.#times;
   }
 
-  /** Another motion's times: it goes on as it went, from the same time if they contain it. */
+  /**
+   * Replaces the times by those of another motion. The clock continues from the same time if they
+   * contain it.
+   */
   replace(times: Float64Array): void {
     this.#times = times;
     this.time = Math.min(Math.max(this.time, this.start), this.end);
@@ -45,7 +48,7 @@ export class Clock {
     this.#listeners.push(listener);
   }
 
-  /** Real time has passed, in s. */
+  /** Advances by real time, s. */
   advance(seconds: number): void {
     if (!this.playing) return;
     const length = this.end - this.start;
@@ -85,17 +88,17 @@ export class Clock {
     else this.play();
   }
 
-  /** To the next sample, or with -1 to the one before. */
+  /** Moves to the next sample, or to the previous one for -1. */
   step(direction: 1 | -1): void {
     this.playing = false;
     let i = this.index();
     if (direction > 0) i = Math.min(i + 1, this.times.length - 1);
-    // Samples may share a time.
+    // Several samples may have the same time.
     else while (i > 0 && this.times[i] >= this.time) i -= 1;
     this.set(this.times[i]);
   }
 
-  /** To the next speed of 1, 2, 5, 10, … or with -1 to the one before. */
+  /** Changes to the next speed of 1, 2, 5, 10, …, or to the previous one for -1. */
   changeSpeed(direction: 1 | -1): void {
     this.speed = neighbour(this.speed, direction);
     this.#tell();
@@ -106,7 +109,7 @@ export class Clock {
     this.#tell();
   }
 
-  /** The last sample that is not later than now. */
+  /** Returns the index of the last sample that is not later than now. */
   index(): number {
     return indexAt(this.times, this.time);
   }
@@ -116,7 +119,7 @@ export class Clock {
   }
 }
 
-/** The last of ascending `times` that is not later than `time`; 0 if all are. */
+/** Returns the index of the last of ascending `times` not later than `time`; 0 if all are later. */
 export function indexAt(times: ArrayLike<number>, time: number): number {
   let low = 0;
   let high = times.length - 1;
@@ -128,32 +131,36 @@ export function indexAt(times: ArrayLike<number>, time: number): number {
   return low;
 }
 
-/** On the screen the period that the eye is to follow takes 5 to 10 s: in the middle of them, as speeds go by factors. */
+/**
+ * Duration of the period on the screen, s: the middle of the range of 5 to 10 s on a logarithmic
+ * scale.
+ */
 const PERIOD = 5 * Math.SQRT2;
-/** Of the screen, rad/s: what turns faster is a blur. */
+/** Angular speed on the screen above which a rotation is blurred, rad/s. */
 const FASTEST = 80;
-/** s: what takes less flashes by. */
+/** Shortest duration of a motion on the screen, s. */
 const FLASH = 2;
 
 /**
- * A speed at which the eye can follow. `period`: what the motion shows takes so long, s; null where nothing repeats, and then it is 1 if
- * the eye can follow the real one, where the body turns by `rate` rad/s.
+ * Returns a speed of the clock at which the eye can follow. `period` is the period of the motion,
+ * s, or null if nothing repeats. Without a period, the speed is 1 if the eye can follow the
+ * rotation at `rate`, rad/s.
  */
 export function watchable(rate: number, duration: number, period: number | null): number {
   const turns = rate > 0 && Number.isFinite(rate);
   if (period !== null && period > 0 && Number.isFinite(period)) {
-    // A run that is shorter than the period is seen as long.
+    // A run shorter than the period is treated as a period.
     const shown = duration > 0 ? Math.min(period, duration) : period;
     return fitting(Math.min(shown / PERIOD, turns ? FASTEST / rate : Infinity));
   }
   const seen = turns ? rate : duration > 0 ? 20 / duration : 1;
   if (seen > 0.15 && seen < 30 && !(duration > 0 && duration < FLASH)) return 1;
-  // However slow the body is, the run does not flash by.
+  // A run must not pass too fast, however slowly the body turns.
   const longest = duration > 0 ? duration / PERIOD : Infinity;
   return nearest(Math.min((seen < 1 ? 1.5 : 6) / seen, longest));
 }
 
-// The nearest by factors of 1, 2, 3, 5, 10, …: less than √2 away.
+// Returns the nearest of 1, 2, 3, 5, 10, … by ratio, less than a factor √2 away.
 function fitting(value: number): number {
   const decade = 10 ** Math.floor(Math.log10(value));
   const off = (step: number): number => Math.abs(Math.log((step * decade) / value));
@@ -167,7 +174,7 @@ function nearest(value: number): number {
   return decade * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
 }
 
-/** The next of 1, 2, 5, 10, … above or below. */
+/** Returns the next of 1, 2, 5, 10, … above or below. */
 function neighbour(speed: number, direction: 1 | -1): number {
   const decade = 10 ** Math.floor(Math.log10(speed));
   const steps = [0.5, 1, 2, 5, 10, 20].map((step) => Number((step * decade).toPrecision(1)));

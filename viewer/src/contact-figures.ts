@@ -1,4 +1,6 @@
-/** What is plotted of a body on the ground: its energy, the forces and the slip at its point of contact, and how high it is. */
+/**
+ * Figures of a body on the ground: energy, contact forces, slip at the contact point, and height.
+ */
 import type { Contact } from "./contact";
 import type { Motion } from "./motion";
 import type { Line } from "./plot/lines";
@@ -12,7 +14,7 @@ export interface ContactFigure {
   lines: Line[];
 }
 
-/** Those in the place of the energy of any other motion. */
+/** Returns the figures that replace the energy figure of other motions. */
 export function contactFigures(motion: Motion, contact: Contact): ContactFigure[] {
   const figures = [energy(motion, contact), force(contact)];
   if (contact.slip.some((speed) => speed > 0)) {
@@ -39,7 +41,7 @@ function energy({ kinetic, potential, drift }: Motion, { frictionWork, groundWor
   ];
   const done = works.filter(([, values]) => values.some((work) => work !== 0));
   lines.push(...done.map(([label, values, ink]): Line => ({ symbol: label, label, ink, values, dash: [2, 3] })));
-  // Without work it is T + U itself that stays.
+  // Without work, T + U itself is constant.
   const largest = drift[0]?.values.reduce((most, d) => Math.max(most, Math.abs(d)), 0);
   if (done.length === 0 && largest !== undefined) lines[2].drift = largest;
   return of("energy", "Energy", "energy", "J", lines);

@@ -1,4 +1,6 @@
-/** A body on the ground: where it is and touches, the forces there, and the ground's own geometry. */
+/**
+ * A body on the ground: position, contact point, contact forces, and the geometry of the ground.
+ */
 import type { Vector } from "./attitude";
 import type { ContactData, GroundData, Row, Shape } from "./data";
 import { f64 } from "./decode";
@@ -33,13 +35,15 @@ export class Contact {
     this.phases = data.phases;
   }
 
-  /** s: until then the body touches the ground; a motion that comes back to it ends. */
+  /**
+   * Time until which the body touches the ground, s. A motion ends when the body touches it again.
+   */
   get touchesUntil(): number {
     return this.phases.find(({ name }) => name === "flying")?.from ?? Infinity;
   }
 }
 
-/** Of the ground at a point of it, towards the body. */
+/** Returns the normal of the ground at one of its points, towards the body. */
 export function normalAt({ form, inside, axis }: GroundData, point: Vector): Vector {
   if (form === "plane") return axis;
   const along = form === "cylinder" ? point[0] * axis[0] + point[1] * axis[1] + point[2] * axis[2] : 0;

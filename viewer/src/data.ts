@@ -1,29 +1,30 @@
 /**
- * What a page shows: the contract between `polhode-scenario`, which writes it, and the viewer, which reads it.
+ * Data of a page: the contract between `polhode-scenario`, which writes them, and the viewer.
  *
- * The page holds it as JSON in `<script id="polhode-data" type="application/json">`, every `<` written as `\u003c`. All is SI and
- * radians. Quaternions are (w, x, y, z) and take components in body axes to components in space axes. Long rows of numbers are base64
- * of little-endian numbers; what comes from `polhode live` has those of f64 as the numbers themselves.
+ * The page holds them as JSON in `<script id="polhode-data" type="application/json">`, with every
+ * `<` written as `\u003c`. All quantities are in SI units and radians. Quaternions are (w, x, y, z)
+ * and take components in body axes to components in space axes. Long rows of numbers are base64 of
+ * little-endian numbers; in data of `polhode live`, rows of f64 are the numbers themselves.
  */
 export interface PageData {
   version: 1;
-  /** "T-handle in free fall"; text, never markup. */
+  /** Title, such as "T-handle in free fall"; text, never markup. */
   title: string;
-  /** What made it: "polhode 0.1.0 simulate examples/t-handle.toml". */
+  /** Command that made the page: "polhode 0.1.0 simulate examples/t-handle.toml". */
   source: string;
-  /** The scenario file as it was read; null without one. */
+  /** Text of the scenario file; null without one. */
   scenario: string | null;
   body: BodyData;
   motion: MotionData;
-  /** Null if the motion is not free. */
+  /** Geometry of a free motion; null if the motion is not free. */
   free: FreeData | null;
   scene: SceneData;
-  /** Of a body that gravity turns about a pivot; null of others. */
+  /** Geometry of a top: a body that gravity turns about a pivot; null for others. */
   top: TopData | null;
-  /** Numbers beside the picture, ready to read: mass properties, regime, periods, evidence. */
+  /** Numbers to display: mass properties, regime, periods, accuracy. */
   facts: FactGroup[];
   findings: { severity: "info" | "warning"; message: string }[];
-  /** The worked solution; empty without one. */
+  /** Worked solution; empty without one. */
   explanation: ExplanationBlock[];
 }
 
@@ -36,50 +37,59 @@ export type Row32 = Base64 | Float32Array;
 export type Indices = Base64 | Uint32Array;
 
 export interface BodyData {
-  /** kg; null if only the moments are known. */
+  /** Mass, kg; null if only the moments are known. */
   mass: number | null;
-  /** Tensor about the point that the body turns about, body axes, kg·m². */
+  /** Inertia tensor about the point that the body turns about, body axes, kg·m². */
   inertia: [number[], number[], number[]];
   about: "centre of mass" | "pivot";
-  /** From that point to the centre of mass, body axes, m; zero for a free body. */
+  /** Vector from that point to the centre of mass, body axes, m; zero for a free body. */
   lever: [number, number, number];
   principal: {
-    /** Ascending, kg·m². */
+    /** Principal moments, ascending, kg·m². */
     moments: [number, number, number];
-    /** Takes components along principal axes to components in body axes. */
+    /** Rotation from components along principal axes to components in body axes. */
     quaternion: [number, number, number, number];
   };
-  /** The uniform ellipsoid of the same mass and of the same tensor about the centre of mass, where its middle is; of 1 kg if the mass is null. */
+  /**
+   * Uniform ellipsoid of the same mass and the same tensor about the centre of mass, centred there;
+   * of 1 kg if the mass is null.
+   */
   ellipsoid: EquivalentEllipsoid;
-  /** The uniform box of these; null if the mass is null. */
+  /** Uniform box with the same mass and tensor; null if the mass is null. */
   box: EquivalentBox | null;
-  /** What it looks like; places are from the point that the body turns about, in body axes. Empty: show the ellipsoid. */
+  /**
+   * Shapes to display. Positions are relative to the point that the body turns about, in body axes.
+   * If empty, the ellipsoid is shown.
+   */
   shapes: Shape[];
 }
 
 export interface EquivalentEllipsoid {
   /** Semi-axes, m. */
   half: [number, number, number];
-  /** Takes components along them to components in body axes. */
+  /** Rotation from components along the semi-axes to components in body axes. */
   quaternion: [number, number, number, number];
 }
 
 export interface EquivalentBox {
   /** Edges, m. */
   size: [number, number, number];
-  /** Takes components along the edges to components in body axes. */
+  /** Rotation from components along the edges to components in body axes. */
   quaternion: [number, number, number, number];
 }
 
 export interface Placed {
   name: string;
-  /** m */
+  /** Position, m. */
   position: [number, number, number];
-  /** Takes components along the shape's own axes to components in body axes. */
+  /** Rotation from components along the shape's own axes to components in body axes. */
   quaternion: [number, number, number, number];
 }
 
-/** The origin of a solid is its middle; cylinders, cones and capsules lie along z; a cone's tip is at +z. */
+/**
+ * A shape. The origin of a solid is its centre; cylinders, cones and capsules are along z; the tip
+ * of a cone is at +z.
+ */
 export type Shape = Placed &
   (
     | { kind: "box"; size: [number, number, number] }
@@ -90,151 +100,169 @@ export type Shape = Placed &
     | { kind: "torus"; radius: number; tube: number }
     | {
         kind: "mesh";
-        /** f32, x y z of each vertex. */
+        /** Coordinates x, y, z of each vertex, f32. */
         vertices: Row32;
-        /** u32, three for each triangle, counter-clockwise from outside. */
+        /** Indices of three vertices for each triangle, u32, counter-clockwise from outside. */
         triangles: Indices;
-        /** How many triangles the body has; more than are here if it was made coarser for the page. */
+        /**
+         * Number of triangles of the body; greater than the number here if the mesh was made
+         * coarser.
+         */
         of: number;
       }
     | {
-        /** Balls: particles, atoms. */
+        /** Balls: particles or atoms. */
         kind: "balls";
-        /** f32, x y z of each. */
+        /** Coordinates x, y, z of each centre, f32. */
         centers: Base64;
-        /** f32, m. */
+        /** Radii, f32, m. */
         radii: Base64;
-        /** One for each, "#rrggbb". */
+        /** Colour of each ball, "#rrggbb". */
         colors: string[];
         labels: string[];
-        /** Pairs of indices that a stick joins. */
+        /** Pairs of indices that sticks join. */
         sticks: [number, number][];
       }
   );
 
 export interface MotionData {
-  /** How many samples: n. */
+  /** Number of samples n. */
   count: number;
-  /** How it was computed: "exact", "dop853", … */
+  /** Method of computation: "exact", "dop853", … */
   method: string;
-  /** f64, n, s. */
+  /** Times, n × f64, s. */
   times: Row;
-  /** f64, 4 n. */
+  /** Attitudes, 4 n × f64. */
   attitude: Row;
-  /** f64, 3 n, body axes, rad/s. */
+  /** Angular velocities, 3 n × f64, body axes, rad/s. */
   omega: Row;
-  /** f64, 3 n, space axes, kg·m²/s, about the point that the body turns about. */
+  /** Angular momenta about the point that the body turns about, 3 n × f64, space axes, kg·m²/s. */
   momentum: Row;
-  /** f64, 3 n, body axes, N·m; null without torque. */
+  /** Torques, 3 n × f64, body axes, N·m; null without torque. */
   torque: Row | null;
-  /** f64, n, J. */
+  /** Kinetic energies, n × f64, J. */
   kinetic: Row;
-  /** f64, n, J; null without a potential. */
+  /** Potential energies, n × f64, J; null without a potential. */
   potential: Row | null;
-  /** What the torques, or the motors of wheels, have done since the start: f64, n, J; null with a potential and for a free body. */
+  /**
+   * Work of the torques, or of the motors of wheels, since the start, n × f64, J; null with a
+   * potential and for a free body.
+   */
   work: { name: string; values: Row } | null;
-  /** What should stay the same, and how much it moves: lines of the drift plot, |value| relative, f64, n. */
+  /** Drifts of constants of the motion: lines of the drift plot, |value| relative, n × f64. */
   drift: { name: string; values: Row }[];
   /**
-   * Wheels inside the body. Axis: a unit vector, body axes. Along it, f64, n: the angular momentum h, kg·m²/s; the speed relative to the
-   * body, rad/s, null where it is held; the motor's torque on the wheel, N·m, null without a motor.
+   * Wheels inside the body. `axis` is a unit vector, body axes. The rows are n × f64 along it:
+   * angular momentum h, kg·m²/s; speed relative to the body, rad/s, null if the wheel is held;
+   * torque of the motor on the wheel, N·m, null without a motor.
    */
   wheels: { name: string; axis: [number, number, number]; momentum: Row; speed: Row | null; motor: Row | null }[];
-  /** Angles from directions of the body to others: f64, n, rad. */
+  /** Angles between directions of the body and targets, n × f64, rad. */
   pointings: { name: string; values: Row }[];
-  /** What happened on the way, the first of it: t, s, and its name. */
+  /** Events with time, s, and name; only the first ones if there are many. */
   events: { time: number; name: string }[];
-  /** How much happened in all. */
+  /** Number of all events. */
   eventCount: number;
-  /** Of a body on the ground, whose centre of mass moves; null of any other, which turns about the origin. */
+  /**
+   * Data of a body on the ground, whose centre of mass moves; null for other bodies, which turn
+   * about the origin.
+   */
   contact: ContactData | null;
-  /** False if the motion could not be computed to its end; its last samples may then be far beyond all others. */
+  /**
+   * False if the motion could not be computed to its end. Its last samples may then be far beyond
+   * the others.
+   */
   complete: boolean;
 }
 
-/** A body on the ground. Rows are f64; vectors are along the axes of space. */
+/** A body on the ground. Rows are f64; vectors are in space axes. */
 export interface ContactData {
   ground: GroundData;
-  /** Against gravity, a unit vector; null without gravity. */
+  /** Unit vector against gravity; null without gravity. */
   up: [number, number, number] | null;
-  /** With what the body touches the ground, if its shapes do not show that; placed as they are. */
+  /** Surface that touches the ground, if the shapes do not show it; placed like these. */
   surface: Shape | null;
-  /** The centre of mass: 3 n, m. */
+  /** Positions of the centre of mass, 3 n, m. */
   center: Row;
-  /** The point of contact; of what flies the lowest: 3 n, m. From the centre of mass and turned back it is the point in the body. */
+  /**
+   * Contact points, 3 n, m; for a flying body, its lowest points. Relative to the centre of mass
+   * and rotated back, they are points of the body.
+   */
   point: Row;
-  /** n, N. */
+  /** Normal forces, n, N. */
   normalForce: Row;
-  /** Its size: n, N. */
+  /** Magnitudes of friction, n, N. */
   friction: Row;
-  /** The speed of the body's point of contact over the ground: n, m/s. */
+  /** Speeds of the contact point of the body relative to the ground, n, m/s. */
   slip: Row;
-  /** The work of friction since the start: n, J. */
+  /** Work of friction since the start, n, J. */
   frictionWork: Row;
-  /** The work that the ground has done by its own motion: n, J. */
+  /** Work that the ground has done by its own motion, n, J. */
   groundWork: Row;
-  /** One after the other, s; "rolling", "sliding" or "flying". */
+  /** Successive phases, s: "rolling", "sliding" or "flying". */
   phases: { name: string; from: number; to: number }[];
 }
 
-/** Its centre, or a point of the plane, is the origin. */
+/** The ground. Its centre, or a point of the plane, is the origin. */
 export interface GroundData {
   form: "plane" | "sphere" | "cylinder";
-  /** m; zero of a plane. */
+  /** Radius, m; zero for a plane. */
   radius: number;
-  /** The body is in it. */
+  /** True if the body is inside the ground surface. */
   inside: boolean;
-  /** Of a plane the normal, towards the body; a unit vector. */
+  /** Axis, or for a plane the normal towards the body; a unit vector. */
   axis: [number, number, number];
-  /** At which it turns about its axis, rad/s. */
+  /** Rate of rotation of the ground about its axis, rad/s. */
   rate: number;
 }
 
-/** What the path of a top's axis is measured from. */
+/** Reference directions for the path of a top's axis. */
 export interface TopData {
-  /** From the pivot to the centre of mass, a unit vector in body axes. */
+  /** Unit vector from the pivot to the centre of mass, body axes. */
   axis: [number, number, number];
-  /** Against gravity, a unit vector in space axes. */
+  /** Unit vector against gravity, space axes. */
   up: [number, number, number];
-  /** Across it, those of φ = 0 and φ = 90°. */
+  /** Horizontal unit vectors at φ = 0 and φ = 90°. */
   across: [[number, number, number], [number, number, number]];
-  /** The least and the greatest angle from the vertical of a symmetric top, rad; null of others. */
+  /** Least and greatest inclination of a symmetric top, rad; null for others. */
   bounds: [number, number] | null;
 }
 
-/** The geometry of a free motion. Curves are f64, x y z of each point. */
+/** Geometry of a free motion. Curves are f64, x y z of each point. */
 export interface FreeData {
   regime: string;
-  /** Of ω in the body, s; null if it has none. */
+  /** Period of ω in the body, s; null if there is none. */
   period: number | null;
-  /** |L|, kg·m²/s. */
+  /** Magnitude |L|, kg·m²/s. */
   momentum: number;
-  /** T, J. */
+  /** Kinetic energy T, J. */
   energy: number;
   /** ω along the polhode, body axes, rad/s; one period, closed. */
   polhode: Row;
   /** ω along the herpolhode, space axes, rad/s; some periods. */
   herpolhode: Row;
-  /** On the unit sphere, principal axes: the two separatrices. */
+  /** Two separatrices on the unit sphere, principal axes. */
   separatrix: Row[];
-  /** On the unit sphere, principal axes: other motions of this body. */
+  /** Other motions of the same body on the unit sphere, principal axes. */
   family: Row[];
-  /** On the unit sphere, principal axes: this motion's L/|L|, one period. */
+  /** L/|L| of this motion on the unit sphere, principal axes; one period. */
   trace: Row;
   /**
-   * Least and greatest angles, rad: of ω from ± the axis that L circles, and of ω from L. The sense of the precession of a symmetric
-   * body; null for any other.
+   * Least and greatest angles, rad: between ω and ± the axis that L circles, and between ω and L.
+   * `precession` is the sense of precession of a symmetric body; null for others.
    */
   cones: { body: [number, number]; space: [number, number]; precession: "prograde" | "retrograde" | null };
 }
 
-/** What the 3-D view shows besides the body. */
+/** Data of the 3-D view other than the body. */
 export interface SceneData {
-  /** s: of the precession, or of the slowest of the periods, that the eye is to follow; null where nothing repeats. */
+  /**
+   * Period that the eye follows: of the precession, or the longest one, s; null if nothing repeats.
+   */
   period: number | null;
-  /** Acceleration of gravity, space axes, m/s²; null if it does not turn the body. */
+  /** Acceleration of gravity, space axes, m/s²; null if it exerts no torque on the body. */
   gravity: [number, number, number] | null;
-  /** A line on each picture. */
+  /** Caption of each picture, one line. */
   captions: { body: string; poinsot: string | null; cones: string | null; sphere: string | null };
 }
 
@@ -246,10 +274,10 @@ export interface FactGroup {
 export type ExplanationBlock =
   | { kind: "heading"; level: 1 | 2 | 3; text: string }
   | { kind: "text"; text: string }
-  /** Lines of working, one below the other; columns may be lined up with spaces. */
+  /** Lines of a calculation; spaces may align columns. */
   | { kind: "lines"; lines: string[] }
   /** MathML made by polhode, and the same as plain text. */
   | { kind: "formula"; mathml: string; text: string }
-  /** A graph, as SVG made by polhode, and what it shows. */
+  /** Graph as SVG made by polhode, with a description. */
   | { kind: "picture"; svg: string; text: string }
   | { kind: "table"; header: string[]; rows: string[][] };

@@ -1,11 +1,11 @@
 /**
- * The page's data as typed arrays. Everything is checked once, here: what comes out has the lengths that the contract promises and
- * finite numbers, so no other file has to ask.
+ * Data of the page as typed arrays. All checks are here: the results have the lengths that the
+ * contract promises and finite numbers.
  */
 import { bytesOf } from "./base64";
 import type { Base64, Indices, PageData, Row, Row32 } from "./data";
 
-/** Data that are not what the contract says. */
+/** Error for data that violate the contract. */
 export class BadData extends Error {
   constructor(what: string) {
     super(what);
@@ -20,13 +20,13 @@ export function readPage(from: Document): PageData {
   return checked(JSON.parse(text) as PageData);
 }
 
-/** Data of the version that this page reads. */
+/** Checks that the data have the version that this page reads. */
 export function checked(page: PageData): PageData {
   if (page.version !== 1) throw new BadData(`data of version ${String(page.version)}; this page reads version 1`);
   return page;
 }
 
-/** Numbers of 64 bits, `length` of them if it is given, all finite. */
+/** Returns finite 64-bit numbers, `length` of them if given. */
 export function f64(row: Row, what: string, length?: number): Float64Array {
   const numbers = typeof row === "string" ? new Float64Array(decode(row, what, 8).buffer) : row;
   if (length !== undefined && numbers.length !== length) {
@@ -36,21 +36,21 @@ export function f64(row: Row, what: string, length?: number): Float64Array {
   return numbers;
 }
 
-/** Points of three numbers of 64 bits. */
+/** Returns points of three 64-bit numbers. */
 export function points(row: Row, what: string): Float64Array {
   const numbers = f64(row, what);
   if (numbers.length % 3 !== 0) throw new BadData(`${what}: ${numbers.length} numbers are not points`);
   return numbers;
 }
 
-/** Numbers of 32 bits, all finite. */
+/** Returns finite 32-bit numbers. */
 export function f32(row: Row32, what: string): Float32Array {
   const numbers = typeof row === "string" ? new Float32Array(decode(row, what, 4).buffer) : row;
   if (!areFinite(numbers)) throw new BadData(`${what}: a number is not finite`);
   return numbers;
 }
 
-/** Indices below `limit`. */
+/** Returns indices below `limit`. */
 export function indices(row: Indices, what: string, limit: number): Uint32Array {
   const numbers = typeof row === "string" ? new Uint32Array(decode(row, what, 4).buffer) : row;
   if (!areBelow(numbers, limit)) throw new BadData(`${what}: an index is beyond ${limit - 1}`);
@@ -62,14 +62,15 @@ function areBelow(numbers: Uint32Array, limit: number): boolean {
   return true;
 }
 
-// The product is NaN of what is not finite, and 0 of all else.
+// The product is NaN for numbers that are not finite, and 0 for all others.
 function areFinite(numbers: Float32Array | Float64Array): boolean {
   let sum = 0;
   for (let i = 0; i < numbers.length; i += 1) sum += 0 * numbers[i];
   return sum === 0;
 }
 
-// All machines that run a browser are little-endian; typed arrays have the machine's order.
+// Typed arrays have the byte order of the machine. All machines that run browsers are
+// little-endian.
 function decode(text: Base64, what: string, size: number): Uint8Array<ArrayBuffer> {
   let bytes: Uint8Array<ArrayBuffer>;
   try {

@@ -1,4 +1,4 @@
-/** What is plotted over time: the same figures on the screen and in the files that it saves. */
+/** Figures of quantities over time, the same on the screen and in saved files. */
 import { angles } from "./angles";
 import { inverse, type Quaternion, rotate, type Vector, writeRotated } from "./attitude";
 import { contactFigures } from "./contact-figures";
@@ -6,23 +6,26 @@ import { lengths, type Motion } from "./motion";
 import type { Figure, Line } from "./plot/lines";
 import { extent } from "./plot/scale";
 
-/** What is less of the size of the largest line is zero but for rounding. */
+/** Rounding threshold relative to the largest line: smaller values count as zero. */
 const ROUNDING = 1e-12;
 
-/** Among the drifts, the one that is not relative. */
+/** Name of the only drift that is not relative. */
 const ATTITUDE_ERROR = "attitude error, rad (estimate)";
 
 const AXES = ["axis-1", "axis-2", "axis-3"];
 
 type Made = Omit<Figure, "telling" | "nothing" | "aliased"> & Partial<Pick<Figure, "nothing">>;
 
-/** A figure that is made when it is to be seen. */
+/** A figure that is made when it is shown. */
 export interface FigureMaker {
   id: string;
   make: () => Figure;
 }
 
-/** `principal` takes components along principal axes to components in body axes; those are about the point that the body turns about. */
+/**
+ * Makes all figures. `principal` takes components along principal axes to components in body axes;
+ * the principal axes are about the point that the body turns about.
+ */
 export function figuresOf(motion: Motion, principal: Principal): Figure[] {
   return makersOf(motion, principal).map(({ make }) => make());
 }
@@ -52,7 +55,7 @@ interface Principal {
 }
 
 function completed(figure: Made, motion: Motion): Figure {
-  // Drifts have powers of ten, and angles do not run away.
+  // Drifts are on a logarithmic scale, and angles do not diverge.
   const telling = figure.log || figure.id === "angles" ? motion.count : motion.telling;
   const [low, high] = extent(figure.lines.map(({ values }) => values), 0, telling - 1) ?? [0, 0];
   const ranAway = telling < motion.count ? `The motion runs away: ranges and constants are without the last ${samples(motion.count - telling)}.` : null;
@@ -64,7 +67,10 @@ function omega(motion: Motion): Made {
   return { ...plain, id: "omega", title: "Angular velocity, body axes", quantity: "ω", unit: "rad/s", lines };
 }
 
-/** Then its lines along the principal axes would be the same. */
+/**
+ * Returns true if the principal axes are along the body axes. Lines along both would then be the
+ * same.
+ */
 function isAlongBody(principal: Quaternion): boolean {
   const axes = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as Vector[]).map((axis) => rotate(principal, axis));
   return axes.every((axis) => Math.max(...axis.map(Math.abs)) > 1 - 1e-12);
@@ -98,7 +104,7 @@ function energy(motion: Motion): Made {
   return { ...plain, id: "energy", title: "Energy", quantity: "energy", unit: "J", lines };
 }
 
-/** ½ iₖ ωₖ² along the principal axes. */
+/** Returns the terms ½ iₖ ωₖ² of the kinetic energy along the principal axes. */
 function shares(motion: Motion, { moments, quaternion }: { moments: number[]; quaternion: Quaternion }): Made {
   const rows = rotated(motion.omega, inverse(quaternion));
   const lines: Line[] = ["½i₁ω₁²", "½i₂ω₂²", "½i₃ω₃²"].map((symbol, k) => {
@@ -116,7 +122,7 @@ function momentumInSpace(motion: Motion): Made {
   return { ...plain, id: "momentum", title, quantity: "L", unit: "kg·m²/s", lines };
 }
 
-/** A free body's L stands still in space; in the body it moves. */
+/** Returns L in the body. For a free body, L is constant in space, but moves in the body. */
 function momentumInBody(motion: Motion, principal: Quaternion): Made {
   const body = rotated(motion.momentum, inverses(motion.attitude));
   const lines = vector(motion, rotated(body, inverse(principal)), ["L₁", "L₂", "L₃"]);
@@ -168,14 +174,14 @@ function attitudeError(motion: Motion): Made {
 
 const plain = { log: false };
 
-/** The k-th of lines that have no ink of their own: twelve that differ. */
+/** Returns the style of the k-th of lines without a style of their own: twelve different ones. */
 function look(k: number): Pick<Line, "ink" | "dash"> {
   const inks = [...AXES, "omega", "torque", "ink"];
   const dashed = (k + Math.floor(k / inks.length)) % 2 === 1;
   return { ink: inks[k % inks.length], ...(dashed ? { dash: [6, 3] } : {}) };
 }
 
-/** Three components, and their length unless one component is all of it. */
+/** Returns three components, and the magnitude unless it equals one of the components. */
 function vector({ telling }: Motion, rows: Float64Array, symbols: string[], size?: string): Line[] {
   const lines: Line[] = symbols.map((symbol, k) => ({ symbol, label: symbol, ink: AXES[k], values: column(rows, k) }));
   const all = lengths(rows);
@@ -185,7 +191,7 @@ function vector({ telling }: Motion, rows: Float64Array, symbols: string[], size
   return lines;
 }
 
-/** How far the balance of this name fails at the worst sample. */
+/** Returns the largest error of the balance with this name. */
 function balance(motion: Motion, wanted: string): { drift?: number } {
   const found = motion.drift.find(({ name }) => name === wanted);
   return found ? { drift: found.values.subarray(0, motion.telling).reduce((most, v) => Math.max(most, Math.abs(v)), 0) } : {};
@@ -195,7 +201,7 @@ function samples(count: number): string {
   return count === 1 ? "sample" : `${count} samples`;
 }
 
-/** Rows of three by one rotation, or each by its own. */
+/** Rotates rows of three, all by one rotation or each by its own. */
 function rotated(rows: Float64Array, by: ArrayLike<number>): Float64Array {
   const out = new Float64Array(rows.length);
   const step = by.length === 4 ? 0 : 4;

@@ -1,6 +1,9 @@
-/** Numbers for people: four or more figures, a real minus, powers of ten, and times in a unit that fits. */
+/**
+ * Formatting of numbers: four or more digits, a minus sign, powers of ten, and times in a suitable
+ * unit.
+ */
 
-/** 1.234, 0.01234, 1.234×10⁻⁵ */
+/** Formats a number, such as 1.234, 0.01234 or 1.234×10⁻⁵. */
 export function number(value: number, figures = 5): string {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
@@ -13,21 +16,24 @@ export function number(value: number, figures = 5): string {
   return `${minus(mantissa)}×10${superscript(Number(exponent))}`;
 }
 
-/** A whole number with a comma between thousands: 34,061. */
+/** Formats a whole number with commas between thousands: 34,061. */
 export function grouped(count: number): string {
   return String(count).replace(/\B(?=(\d{3})+$)/g, ",");
 }
 
-/** A number's unit, behind it. */
+/** Unit after a number. */
 const UNIT = /^\(?[kMGTmµnpf]?(?:rad|deg|°|kg|g|m|s|h|d|J|N|W|A|T|V|Pa|Hz|K|turns)(?:[⁻¹²³]*)(?:[·/][A-Za-z]+[⁻¹²³]*)*[),;:.]*$/;
 
-/** Longer words may be broken anywhere. */
+/** Length above which a word may be broken anywhere. */
 const LONGEST = 36;
 
-/** Words that signs would join beyond this are not joined. */
+/** Length above which words are not joined at signs. */
 const LONG = 28;
 
-/** The words of a text between which lines may break: a number stays with its unit, and with the "=", "…" or "→" beside it. */
+/**
+ * Splits a text into words between which lines may break. A number stays with its unit, and with an
+ * adjacent "=", "…" or "→".
+ */
 export function words(text: string): { text: string; whole: boolean }[] {
   const parts: string[] = [];
   let joins = false;
@@ -45,7 +51,7 @@ export function words(text: string): { text: string; whole: boolean }[] {
   return parts.map((part) => ({ text: part, whole: part.length <= LONGEST }));
 }
 
-/** As short as it can be: for the marks of an axis. */
+/** Formats a tick label of an axis, as short as possible. */
 export function mark(value: number, step: number): string {
   if (value === 0) return "0";
   const size = Math.abs(value);
@@ -57,12 +63,12 @@ export function mark(value: number, step: number): string {
   return `${minus((value / 10 ** exponent).toFixed(digits))}×10${superscript(exponent)}`;
 }
 
-/** 10⁻¹² */
+/** Formats a power of ten, such as 10⁻¹². */
 export function powerOfTen(value: number): string {
   return `10${superscript(Math.round(Math.log10(value)))}`;
 }
 
-/** A unit of time in which `seconds` is a number that one can read. */
+/** Returns a unit of time in which `seconds` is a readable number. */
 export function timeUnit(seconds: number): { name: string; seconds: number } {
   const units: [string, number][] = [
     ["ps", 1e-12],

@@ -1,4 +1,4 @@
-/** The keyboard. What a control does with a key itself comes first. */
+/** Keyboard. Keys that a control handles itself take precedence. */
 import type { Clock } from "./clock";
 import { byId } from "./dom";
 import type { Picture } from "./scene/layers";
@@ -7,17 +7,19 @@ import type { View } from "./scene/scene";
 const TURN = 0.12;
 const PICTURES: Record<string, Picture> = { "1": "body", "2": "poinsot", "3": "cones", "4": "sphere" };
 
-/** What keys do that are not of the motion. */
+/** Keys that also work when the motion is not shown. */
 const ALWAYS = ["t", "?"];
 
-/** `more`: what other keys do. `isAway`: the motion is not what is seen. */
+/**
+ * Installs the keys. `more`: actions of further keys. `isAway`: true while the motion is not shown.
+ */
 export function keys(clock: Clock, view: View | null, show: (picture: Picture) => void, more: Map<string, () => void>, isAway: () => boolean): void {
   const help = byId<HTMLDialogElement>("help");
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
     if (event.defaultPrevented || target.closest("select, textarea, input:not([type=range]), [contenteditable=true]")) return;
-    // Space presses a button that has the focus, and arrows scroll what scrolls.
+    // Space presses a focused button, and arrows scroll a scrollable element.
     if (event.key === " " && target.closest("button, summary, a")) return;
     if (event.key.startsWith("Arrow") && !event.shiftKey && target.closest("pre, .formula, .table")) return;
     if (isAway() && !ALWAYS.includes(event.key)) return;

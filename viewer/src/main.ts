@@ -1,4 +1,7 @@
-/** The page that `polhode` writes: it shows the data that it holds, and plays. In a notebook it holds them packed, and shows others that come. */
+/**
+ * Page that `polhode` writes: it shows its data and plays. In a notebook, the data are packed, and
+ * later data replace them.
+ */
 import { App, orSay } from "./app";
 import type { PageData } from "./data";
 import { readPage } from "./decode";

@@ -1,6 +1,7 @@
 /**
- * The motion at any time: samples, and what is between them. Attitudes follow the rates at both samples; ω follows a cubic
- * through its neighbours, momentum is linear in space, and torque in space or in the body, where it changes less.
+ * The motion at any time, interpolated between samples. Attitudes follow the rates at both samples.
+ * ω is a cubic through its neighbours. Momentum is linear in space, and torque is linear in space
+ * or in the body, wherever it changes less.
  */
 import type { MotionData, Row } from "./data";
 import { between, makeContinuous, type Quaternion, rotate, type Vector, writeRotated } from "./attitude";
@@ -10,25 +11,25 @@ import { BadData, f64 } from "./decode";
 
 export interface Moment {
   attitude: Quaternion;
-  /** body axes, rad/s */
+  /** Angular velocity, body axes, rad/s. */
   omega: Vector;
-  /** space axes, kg·m²/s */
+  /** Angular momentum, space axes, kg·m²/s. */
   momentum: Vector;
-  /** space axes, N·m; null without torque */
+  /** Torque, space axes, N·m; null without torque. */
   torque: Vector | null;
-  /** The centre of mass, space axes, m; the origin of what turns in its place */
+  /** Position of the centre of mass, space axes, m; the origin for a body that turns in place. */
   center: Vector;
-  /** Where the ground is touched, space axes, m; null without ground */
+  /** Contact point, space axes, m; null without ground. */
   point: Vector | null;
 }
 
-/** A body that turns farther than this from a sample to the next may oscillate unseen, rad. */
+/** Rotation between samples above which a body may oscillate unnoticed, rad. */
 const FAR = Math.PI / 2;
 
-/** ω and L include an angle, rad, where a body nutates. */
+/** Smallest angle between ω and L that counts as nutation, rad. */
 const PARALLEL = 1e-6;
 
-/** What is less of the size of what it is made of is zero. */
+/** Relative size below which a sum counts as zero. */
 const ZERO = 1e-12;
 
 export class Motion {
@@ -45,16 +46,19 @@ export class Motion {
   readonly wheels: { name: string; axis: Vector; momentum: Float64Array; speed: Float64Array | null; motor: Float64Array | null }[];
   readonly pointings: { name: string; values: Float64Array }[];
   readonly events: { time: number; name: string }[];
-  /** How many happened: more than are in `events` if that is thinned. */
+  /** Number of all events; greater than the length of `events` if these are thinned. */
   readonly eventCount: number;
-  /** Of a body on the ground. */
+  /** Data of a body on the ground. */
   readonly contact: Contact | null;
   readonly complete: boolean;
-  /** So many samples say how large and how fast the motion is: a run-away's last ones are far beyond all before. */
+  /**
+   * Number of samples that determine size and speed of the motion. The last samples of a diverging
+   * motion are far beyond the others.
+   */
   readonly telling: number;
-  /** The largest turn from one sample to the next, rad: what happens between samples is a guess if it is not small. */
+  /** Largest rotation between samples, rad. If it is not small, the interpolation is unreliable. */
   readonly largestTurn: number;
-  /** The samples may miss what oscillates: the body turns far from one to the next, and nutates. */
+  /** True if the samples may miss oscillations: the body turns far between samples, and nutates. */
   readonly aliased: boolean;
 
   constructor(data: MotionData) {
@@ -96,7 +100,8 @@ export class Motion {
     this.telling = this.complete ? n : this.#telling();
   }
 
-  // L may be nothing while the body turns and its wheels turn back: then what rounding leaves of it is nothing too. The carrier's is at
+  // L may be zero while the body turns, if its wheels turn the other way. Then its rounding error
+  // is set to zero. The carrier's L is at least 2 T/|ω|.
   // least 2 T/|ω|.
   #settle(): void {
     let size = Math.max(...this.wheels.map(({ momentum }) => largest(momentum)), 0);
@@ -114,7 +119,7 @@ export class Motion {
       const size = lengthAt(omega, 0) * lengthAt(this.momentum, i);
       let along = 0;
       for (let k = 0; k < 3; k += 1) along += omega[k] * this.momentum[3 * i + k];
-      // cos α = 1 − α²/2
+      // Uses cos α = 1 − α²/2.
       if (size > 0 && 1 - Math.abs(along / size) > 0.5 * PARALLEL * PARALLEL + 4 * Number.EPSILON) return true;
     }
     return false;
@@ -134,7 +139,7 @@ export class Motion {
     };
   }
 
-  /** At the i-th of its times. */
+  /** Returns the moment at the i-th of its times. */
   sample(i: number): Moment {
     const attitude = this.attitudeOf(i);
     const torque = this.torque === null ? null : rotate(attitude, at(this.torque, i));
@@ -149,7 +154,7 @@ export class Motion {
     return between(this.attitudeOf(i), at(this.omega, i), this.attitudeOf(j), at(this.omega, j), step, part);
   }
 
-  // Between which samples, and how far.
+  // Returns the samples on both sides of a time, and the fraction between them.
   #place(time: number): { i: number; j: number; part: number } {
     const i = Math.min(indexAt(this.times, time), Math.max(this.count - 2, 0));
     const j = Math.min(i + 1, this.count - 1);
@@ -162,14 +167,14 @@ export class Motion {
     return [q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]];
   }
 
-  /** The mean of |ω|, rad/s. */
+  /** Returns the mean of |ω|, rad/s. */
   meanRate(): number {
     let sum = 0;
     for (let i = 0; i < this.telling; i += 1) sum += lengthAt(this.omega, i);
     return sum / this.telling;
   }
 
-  // Of all that is plotted and drawn by its size: the least.
+  // Least number of representative samples over all quantities that are plotted or drawn to scale.
   #telling(): number {
     const vectors = [this.omega, this.momentum, ...(this.torque ? [this.torque] : [])];
     const numbers = [this.kinetic, this.potential, this.work?.values, ...this.wheels.flatMap(({ momentum, speed }) => [momentum, speed])];
@@ -184,7 +189,7 @@ export class Motion {
     return apart(inSpaceA, inSpaceB) <= apart(a, b) ? mixed(inSpaceA, inSpaceB, part) : rotate(attitude, mixed(a, b, part));
   }
 
-  // Catmull and Rom's cubic, for samples that are not evenly spaced.
+  // Catmull–Rom cubic for unevenly spaced samples.
   #cubic(rows: Float64Array, i: number, j: number, s: number): Vector {
     const slope = (k: number, c: number): number => {
       const before = Math.max(k - 1, 0);
@@ -211,7 +216,7 @@ function largest(values: Float64Array): number {
   return size;
 }
 
-/** The i-th of rows of three. */
+/** Returns the i-th of rows of three. */
 export function at(rows: Float64Array, i: number): Vector {
   return [rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]];
 }
@@ -224,7 +229,7 @@ function lengthAt(rows: Float64Array, i: number): number {
   return Math.hypot(rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]);
 }
 
-/** The lengths of rows of three. */
+/** Returns the lengths of rows of three. */
 export function lengths(rows: Float64Array): Float64Array {
   const out = new Float64Array(rows.length / 3);
   for (let i = 0; i < out.length; i += 1) out[i] = lengthAt(rows, i);
@@ -243,7 +248,10 @@ function apart(a: Vector, b: Vector): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/** Without the last values each of which is far beyond all before it. */
+/**
+ * Returns the number of values before a final divergence, in which each value is far beyond all
+ * before it.
+ */
 function beforeRunAway(values: Float64Array): number {
   const soFar = new Float64Array(values.length);
   values.forEach((value, i) => {

@@ -1,27 +1,27 @@
-/** Light, dark, or as the system has it. */
+/** Theme: light, dark, or that of the system. */
 import { byId } from "./dom";
 
-/** Asking the style sheet costs more than all else about a colour. */
+/** Cache, because reading the style sheet is slow. */
 const known = new Map<string, string>();
 
-/** The colour of theme.css with this name, without its dashes. */
+/** Returns the colour of theme.css with this name, without its dashes. */
 export function ink(name: string): string {
   const value = known.get(name) ?? getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
   known.set(name, value);
   return value;
 }
 
-/** Told that the colours are to be those of the document around. */
+/** Message that sets the theme of the surrounding document. */
 const TOLD = "polhode-theme";
 
-/** Takes the colours of the document around. */
+/** Takes the theme of the surrounding document. */
 export function setTheme(theme: "light" | "dark"): void {
   const root = document.documentElement;
   root.dataset.theme = theme;
   root.dispatchEvent(new Event(TOLD));
 }
 
-/** Calls back when the colours have changed. */
+/** Registers a callback for changes of the colours. */
 export function onTheme(then: () => void): void {
   const changed = (): void => {
     known.clear();

@@ -1,4 +1,4 @@
-/** What is done with the scenario as a whole: the buttons of the heading, and their keys. */
+/** Actions on the scenario as a whole: the buttons of the heading, and their keys. */
 import { element } from "../dom";
 import { fileName, save } from "../save/files";
 import { fragmentOf, LONGEST } from "./link";
@@ -22,7 +22,7 @@ export class Actions {
     session.listen({ changed: () => this.#update() });
     this.#update();
     document.addEventListener("keydown", (event) => {
-      // In a text its own undoing comes first.
+      // In a text field, its own undo takes precedence.
       const isTyped = event.target instanceof HTMLElement && event.target.closest("input:not([type=range]), textarea, [contenteditable=true]");
       if (isTyped || event.altKey || !(event.ctrlKey || event.metaKey)) return;
       const key = event.key.toLowerCase();

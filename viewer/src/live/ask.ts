@@ -1,9 +1,12 @@
-/** A question with yes and no. */
+/** Dialog for a question with yes and no. */
 import { element } from "../dom";
 
 let open: Promise<boolean> | null = null;
 
-/** False if it is closed without an answer. While one question stands no other is asked: the same answer holds. */
+/**
+ * Asks a question; the result is false if it is closed without an answer. While a question is open,
+ * further calls get its answer.
+ */
 export function ask(words: string, yes: string): Promise<boolean> {
   open ??= new Promise<boolean>((resolve) => {
     const dialog = element("dialog", { class: "question" });

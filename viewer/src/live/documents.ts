@@ -1,8 +1,8 @@
-/** The documents of the server, asked for again and again while the page is seen: one that changes on the disk is shown. */
+/** Documents of the server, polled while the page is visible, so that changed files are shown. */
 import type { DocumentInfo } from "./protocol";
 import { server } from "./server";
 
-/** ms */
+/** Polling intervals, ms. */
 const OFTEN = 500;
 const SELDOM = 2000;
 
@@ -11,7 +11,10 @@ export class Watch {
   readonly #told: (all: DocumentInfo[]) => void;
   readonly #lost: (isLost: boolean) => void;
 
-  /** `told` hears of the documents when one of them changed; `lost` of whether the server answers. */
+  /**
+   * `told` receives the documents when one of them has changed; `lost` receives whether the server
+   * is unreachable.
+   */
   constructor(told: (all: DocumentInfo[]) => void, lost: (isLost: boolean) => void) {
     this.#told = told;
     this.#lost = lost;

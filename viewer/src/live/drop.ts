@@ -1,10 +1,16 @@
-/** Files and folders that are dropped on the page, or chosen: they go to the server as one set, and what they are is opened. */
+/**
+ * Files and folders that are dropped on the page, or chosen. They are sent to the server as one
+ * set, and then opened.
+ */
 import { element } from "../dom";
 import { chosen, dropped, type DroppedFile, sorted } from "./dropped";
 import type { DocumentInfo } from "./protocol";
 import { Refused, server } from "./server";
 
-/** Of several models or scenarios so many are opened; all can be named by each other. */
+/**
+ * Maximum number of models or scenarios that are opened. All files of the set may refer to each
+ * other.
+ */
 const MOST = 20;
 
 export class Drop {
@@ -55,7 +61,7 @@ export class Drop {
     }
     const [main] = opened;
     this.#said(sent.length === 1 ? `Opening ${main.path} …` : `Opening ${main.path} with ${sent.length - 1} more …`);
-    // Below 2⁵³, so that two pages hardly have the same.
+    // Below 2⁵³, and large enough that two pages hardly choose the same number.
     const set = Math.floor(Math.random() * 2 ** 52);
     try {
       for (const { path, file } of sent) await server.drop(set, path, file);

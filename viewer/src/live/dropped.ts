@@ -1,36 +1,40 @@
-/** What was dropped or chosen: files, each with its path in the folder that was. */
+/** Dropped or chosen files, each with its path in the dropped folder. */
 
 export interface DroppedFile {
-  /** "arm/meshes/link.stl" */
+  /** Path, such as "arm/meshes/link.stl". */
   path: string;
   file: File;
 }
 
-/** Of a set, the files that name the others. */
+/** Extensions of files that refer to others of a set. */
 const MAIN = ["toml", "urdf", "sdf", "xml", "world", "mjcf", "usda", "osim"];
-/** What is shown by itself, and what is only a part of that. */
+/** Extensions of files that are shown by themselves, and of files that are only parts of these. */
 const OTHERS = ["stl", "obj", "ply", "off", "gltf", "glb", "3mf", "dae", "xyz", "mol", "pdb", "ent", "csv"];
 const PARTS = ["mtl", "bin"];
 
 const ending = (path: string): string => path.toLowerCase().split(".").at(-1) ?? "";
 
-/** Files and folders that were dropped, with what is in them. Their entries are to be asked for before anything is waited for. */
+/**
+ * Returns dropped files and the contents of dropped folders. The entries must be read before the
+ * first await.
+ */
 export async function dropped(data: DataTransfer): Promise<DroppedFile[]> {
   const entries = [...data.items].flatMap((item) => (item.kind === "file" ? (item.webkitGetAsEntry() ?? []) : []));
-  // A file that a program made has no entry.
+  // A file that was made by a program has no entry.
   if (entries.length === 0) return [...data.files].map((file) => ({ path: file.name, file }));
   const all = await Promise.all(entries.map((entry) => below(entry)));
   return all.flat();
 }
 
-/** Files that were chosen: of a folder, or one by one. */
+/** Returns chosen files: those of a folder, or single ones. */
 export function chosen(files: FileList | null): DroppedFile[] {
   return [...(files ?? [])].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
 }
 
 /**
- * Those to be opened, the first of them first; and those that go to the server. Of a folder only what a page can show, or a model can name:
- * a package has much else.
+ * Selects the files to open, the first one first, and the files to send to the server. From a
+ * folder, only files that a page can show or a model can refer to are sent, because packages
+ * contain many others.
  */
 export async function sorted(files: DroppedFile[]): Promise<{ sent: DroppedFile[]; opened: DroppedFile[] }> {
   const isWanted = await Promise.all(files.map(async ({ path, file }) => !path.includes("/") || (!isHidden(path) && (await isKnown(path, file)))));
@@ -40,12 +44,12 @@ export async function sorted(files: DroppedFile[]): Promise<{ sent: DroppedFile[
   };
   const sent = files.filter((_, k) => isWanted[k]).sort((a, b) => rank(a) - rank(b) || (a.path < b.path ? -1 : 1));
   const main = sent.filter((file) => rank(file) < MAIN.length);
-  // Those that name no others are each shown.
+  // Files that refer to no others are each shown.
   const alone = sent.filter(({ path }) => !PARTS.includes(ending(path)));
   return { sent, opened: [main, alone, sent].find(({ length }) => length > 0) ?? [] };
 }
 
-// Much is XML that is no model, or TOML that is no scenario.
+// Many XML files are not models, and many TOML files are not scenarios.
 async function isKnown(path: string, file: File): Promise<boolean> {
   const has = async (pattern: RegExp): Promise<boolean> => pattern.test(await file.slice(0, 8192).text());
   if (ending(path) === "xml") return has(/<(mujoco|robot|sdf)\b/);
@@ -63,7 +67,7 @@ async function below(entry: FileSystemEntry): Promise<DroppedFile[]> {
   if (entry.name.startsWith(".")) return [];
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const found: DroppedFile[] = [];
-  // A reader gives some at a time, and none at the end.
+  // A reader returns some entries at a time, and none at the end.
   for (;;) {
     const some = await new Promise<FileSystemEntry[]>((done, fail) => reader.readEntries(done, fail));
     if (some.length === 0) return found;

@@ -1,4 +1,7 @@
-/** The scenario as text: errors underlined where they are, with the hint; keys and units are completed by the server. */
+/**
+ * Editor of the scenario's text. Errors are underlined, with their hints. The server completes keys
+ * and units.
+ */
 import { autocompletion, type CompletionContext, type CompletionResult, completionKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap } from "@codemirror/commands";
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
@@ -12,7 +15,7 @@ import type { TextError } from "./protocol";
 import { server } from "./server";
 import type { Session } from "./session";
 
-/** After the last letter, ms. */
+/** Delay after the last keystroke, ms. */
 const TYPED = 150;
 
 const LOOK = EditorView.theme({
@@ -53,11 +56,11 @@ export class Editor {
     this.update();
   }
 
-  /** Shows the session's text, the cursor where it is, and its errors. */
+  /** Shows the session's text and its errors, and keeps the cursor. */
   update(): void {
     const { text, errors } = this.#session;
     const old = this.#view.state.doc.toString();
-    // What is being typed is newer.
+    // Text that is being typed is newer.
     if (old !== text && this.#timer === 0) {
       this.#isOwn = true;
       this.#view.dispatch({ changes: difference(old, text) });
@@ -71,7 +74,7 @@ export class Editor {
 
   #extensions() {
     const session = this.#session;
-    // The session has the one history, of knobs and of typing.
+    // The session has a single history, of knobs and of typing.
     const step = (run: () => void) => (): boolean => {
       this.#flush();
       run();
@@ -140,7 +143,7 @@ function diagnostic({ message, hint, from, to }: TextError, length: number): Dia
   return { from: start, to: end, severity: "error", message: hint ? `${message}\nhint: ${hint}` : message };
 }
 
-/** The one piece that differs. */
+/** Returns the single interval that differs. */
 function difference(before: string, after: string): { from: number; to: number; insert: string } {
   const least = Math.min(before.length, after.length);
   let head = 0;

@@ -1,4 +1,4 @@
-/** What the page holds before there is a motion: a ball at rest, which is not shown. */
+/** Data of the page before there is a motion: a ball at rest, which is not shown. */
 import { base64Of } from "../base64";
 import type { PageData } from "../data";
 

@@ -1,9 +1,9 @@
-/** The texts that were, to go back to and forth. What changes while one thing is dragged is one step. */
+/** History of texts for undo and redo. Changes during one drag are one step. */
 
-/** Of all texts that are kept, characters. */
+/** Maximum length of all texts together, characters. */
 const MOST = 4_000_000;
 
-/** Changes of one kind within this time of each other are one step, ms. */
+/** Interval within which changes of one kind are one step, ms. */
 const TOGETHER = 1000;
 
 export class History {
@@ -21,7 +21,7 @@ export class History {
     return this.#future.length > 0;
   }
 
-  /** The text is about to change: `kind` says by what. */
+  /** Records the text before it changes; `kind` is the kind of change. */
   touch(text: string, kind: string, now = Date.now()): void {
     const goesOn = kind === this.#kind && (this.#held || now - this.#last < TOGETHER);
     this.#kind = kind;
@@ -33,7 +33,7 @@ export class History {
     while (size > MOST) size -= this.#past.shift()?.length ?? size;
   }
 
-  /** Until `release` changes of one kind are one step, however long they take. */
+  /** Makes all changes of one kind one step until `release`, however long they take. */
   hold(): void {
     this.#held = true;
     this.#kind = null;

@@ -1,13 +1,13 @@
-/** One knob: its name, its value as it stands in the scenario, to be typed over, and a slider. */
+/** A knob: its name, an input field with its value in the scenario, and a slider. */
 import { element } from "../dom";
 import type { Knob } from "./protocol";
 import { placeOf, PLACES, type Range, stepOf, toml, typedToml, valueAt } from "./range";
 
-/** What turns it. */
+/** Callbacks of a knob. */
 export interface Turn {
-  /** A value as TOML. */
+  /** Sets a value as TOML. */
   set: (key: string, value: string) => void;
-  /** Between the two it is dragged. */
+  /** Begin and end of a drag. */
   hold: () => void;
   release: () => void;
 }
@@ -47,7 +47,7 @@ export class KnobControl {
     this.update(knob);
   }
 
-  /** The knob as the scenario has it now. Its range stays as long as the value is in it. */
+  /** Updates the knob from the scenario. The range stays while it contains the value. */
   update(knob: Knob): void {
     const before = this.#knob;
     this.#knob = knob;
@@ -63,7 +63,7 @@ export class KnobControl {
     this.#paint();
   }
 
-  /** An error that came of it, or null. */
+  /** Shows an error that the value caused; null removes it. */
   say(message: string | null): void {
     this.#said.textContent = message ?? "";
     this.#said.hidden = message === null;
@@ -125,7 +125,7 @@ export class KnobControl {
     this.#turn.set(key, value);
   }
 
-  // Who has dragged to an end wants to go on.
+  // A drag to an end of the range extends it.
   #end(): void {
     if (!this.#isDragged) return;
     this.#isDragged = false;
@@ -139,7 +139,7 @@ export class KnobControl {
 }
 
 function rangeOf({ low, high, scale, value }: Knob): Range {
-  // A value that was dragged since the range was told may be at its end.
+  // A value that was dragged after the range was sent may be at its end.
   return { low: Math.min(low, value), high: Math.max(high, value), scale: low > 0 && value > 0 ? scale : "linear" };
 }
 

@@ -1,11 +1,14 @@
-/** The knobs under the scene: the most telling ones, the rest behind "more", switches of torques, and what can be added. */
+/**
+ * Knobs below the scene: the most informative ones, the others behind "more", switches of torques,
+ * and torques to add.
+ */
 import { element } from "../dom";
 import { KnobControl, type Turn } from "./knob";
 import type { Knob } from "./protocol";
 import type { Session } from "./session";
 import { addable } from "./torques";
 
-/** Never more at once. */
+/** Maximum number of knobs shown in front. */
 const MOST = 7;
 const FEW = 4;
 
@@ -28,13 +31,13 @@ export class Knobs {
   readonly #switches = element("div", { class: "switches", role: "group", "aria-label": "Torques" });
   readonly #more = element("button", { type: "button", class: "quiet", "aria-expanded": "false", "aria-controls": "knob-rest" });
   #layout = "";
-  /** Which stand in front, until another document comes. */
+  /** Keys of the knobs in front, until another document is opened. */
   #front: string[] = [];
-  /** Those that a lesson is about; null without one. */
+  /** Keys of the knobs of a lesson; null without one. */
   #only: string[] | null = null;
   readonly #foot: HTMLElement;
 
-  /** `addTo` gives what the sizes of an added torque are taken from. */
+  /** `numbers` determines the sizes of an added torque. */
   constructor(session: Session, pad: HTMLElement, numbers: Parameters<typeof addable>[1]) {
     this.#session = session;
     this.#turn = {
@@ -54,7 +57,7 @@ export class Knobs {
     new ResizeObserver(() => this.#update()).observe(document.body);
   }
 
-  /** These knobs and nothing else; null shows all again. */
+  /** Shows only these knobs; null shows all again. */
   show(only: string[] | null): void {
     this.#only = only;
     this.#foot.hidden = only !== null;
@@ -74,7 +77,7 @@ export class Knobs {
     const most = innerHeight < 700 || innerWidth < 821 ? FEW : MOST;
     const ranked = [...knobs].sort((a, b) => a.rank - b.rank);
     const there = new Set(knobs.map(({ key }) => key));
-    // Those in front stay there while values change.
+    // Knobs in front stay there while values change.
     this.#front = this.#front.filter((key) => there.has(key));
     for (const { key } of ranked) if (this.#front.length < MOST && !this.#front.includes(key)) this.#front.push(key);
     const front = this.#front.slice(0, most);

@@ -1,6 +1,6 @@
 /**
- * Lessons: the list of them, and the one that is open, a step at a time: read, predict, see, turn. Until its question is answered the scene
- * shows the body at the start and nothing of its motion.
+ * Lessons: the list, and the open lesson with its steps: read, predict, see, change. Until the
+ * question of a step is answered, the scene shows only the body at the start.
  */
 import type { App } from "../app";
 import { element } from "../dom";
@@ -12,7 +12,7 @@ import type { Session } from "./session";
 interface Surroundings {
   app: App;
   session: Session;
-  /** The knobs to show and no others; null for all. */
+  /** Selects the only knobs to show; null for all. */
   choose: (keys: string[] | null) => void;
   say: (words: string) => void;
 }
@@ -23,10 +23,10 @@ export class Lessons {
   #lesson: Lesson | null = null;
   #document: DocumentInfo | null = null;
   #k = 0;
-  /** The answer that was chosen, by step. */
+  /** Chosen answer of each step. */
   readonly #chosen = new Map<number, number>();
   readonly #working = element("details", { class: "lesson-working" });
-  /** What nobody may use before the answer. */
+  /** Elements that are disabled before the answer. */
   readonly #covered = [".bar", ".transport", "#legend", "#knobs"];
 
   constructor(of: Surroundings) {
@@ -47,7 +47,7 @@ export class Lessons {
     void this.#list();
   }
 
-  /** Whether the worked solution is looked at here. */
+  /** True if the worked solution is open in the lesson. */
   get wantsWorking(): boolean {
     return this.#lesson !== null && this.#working.open && this.#of.app.tabs.current === "lesson";
   }
@@ -60,7 +60,7 @@ export class Lessons {
     return this.#lesson?.steps[this.#k];
   }
 
-  /** Begins a lesson. */
+  /** Opens a lesson at its first step. */
   async open(id: string): Promise<void> {
     if (!(await this.#read(id))) return;
     this.#chosen.clear();
@@ -69,7 +69,10 @@ export class Lessons {
     this.#go(0);
   }
 
-  /** Reads the lesson again if its file has changed, and goes on at the same step; false if the document is not of the open lesson. */
+  /**
+   * Reads the lesson again if its file has changed, and continues at the same step. Returns false
+   * if the document is not that of the open lesson.
+   */
   async reread(document: number): Promise<boolean> {
     if (this.#lesson?.document !== document) return false;
     if (await this.#read(this.#lesson.id)) this.#go(Math.min(this.#k, this.#lesson.steps.length - 1));
@@ -201,7 +204,7 @@ export class Lessons {
     if (clock.time !== clock.start) clock.set(clock.start);
   }
 
-  // The part of the worked solution that stands beside the step.
+  // Shows the part of the worked solution that belongs to the step.
   #work(): void {
     const wanted = this.#step?.working;
     if (wanted == null || this.isAsking) return;
@@ -220,7 +223,7 @@ function paragraphs(text: string): HTMLElement[] {
   return text.split(/\n\s*\n/).map((words) => element("p", {}, words.trim()));
 }
 
-/** The lesson that an address asks for. */
+/** Returns the lesson in the fragment of an address. */
 export function lessonOf(fragment: string): string | null {
   const [, id] = /^#lesson=(.+)$/.exec(fragment) ?? [];
   try {

@@ -1,11 +1,11 @@
-/** A link that brings a state back: the scenario's text, deflated, behind the address's #. */
+/** Links that restore a state: the scenario's text, deflated, in the fragment of the address. */
 import { base64Of, bytesOf } from "../base64";
 
-/** Longer ones are cut off by some programs, characters. */
+/** Maximum length of a link, characters. Some programs cut off longer ones. */
 export const LONGEST = 8000;
 
 interface Linked {
-  /** Of the document that it began with. */
+  /** Name of the original document. */
   name: string;
   text: string;
 }
@@ -16,7 +16,7 @@ export async function fragmentOf(linked: Linked): Promise<string> {
   return `#state=${base64Of(bytes).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`;
 }
 
-/** Null if there is none; throws if it is damaged. */
+/** Returns null if there is none; throws if it is damaged. */
 export async function readFragment(fragment: string): Promise<Linked | null> {
   const [, packed] = /^#state=([A-Za-z0-9_-]+)$/.exec(fragment) ?? [];
   if (packed === undefined) return null;

@@ -1,4 +1,4 @@
-/** The live page: the viewer, whose data are what the server makes of a scenario that knobs, the scene and the editor change. */
+/** The live page: the viewer with the data of a scenario that knobs, scene and editor change. */
 import { App, orSay } from "../app";
 import { byId, element } from "../dom";
 import { Actions } from "./actions";
@@ -45,7 +45,7 @@ orSay(() => {
   document.body.classList.add("live", "waiting");
   session.listen({
     moved: (page, { anew, isWorked }) => {
-      // Until the worked solution comes, that of before; nobody sees it.
+      // Until the worked solution arrives, the previous one is kept; it is not visible.
       const shown = isWorked ? page : { ...page, explanation: app.page.explanation };
       app.show(shown, anew);
       document.body.classList.remove("waiting");
@@ -81,13 +81,13 @@ orSay(() => {
 
 declare global {
   interface Window {
-    /** For tests and for curious people at the console. */
+    /** Access for tests, and for inspection in the console. */
     polhodeLive?: Session;
     polhodeInspection?: Inspection;
   }
 }
 
-// The last good motion stays, dimmed, with what is wrong.
+// Shows errors. The last valid motion stays, dimmed.
 function troubles(session: Session): void {
   const box = element("div", { id: "trouble", role: "status", hidden: true });
   byId("stage").append(box);

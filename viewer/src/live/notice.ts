@@ -1,11 +1,11 @@
-/** A line at the upper edge that says something, or asks what to do. */
+/** A message or a question at the upper edge of the page. */
 import { element } from "../dom";
 
 export class Notice {
   readonly host = element("div", { id: "notice", role: "status", hidden: true });
   #timer = 0;
 
-  /** For some seconds; or until one of the answers is chosen. */
+  /** Shows a message for some seconds, or until an answer is chosen. */
   say(words: string, answers: { label: string; then: () => void }[] = []): void {
     clearTimeout(this.#timer);
     const close = (): void => {

@@ -1,4 +1,7 @@
-/** The triangle of moments: a pad to drag the body's principal moments in. Outside of it no body exists, its edges are plates, its corners rods. */
+/**
+ * Pad for dragging the principal moments in a triangle. Points outside are not physical, edges are
+ * plates, and corners are rods.
+ */
 import type { PageData } from "../data";
 import { element, svgElement } from "../dom";
 import { number } from "../format";
@@ -17,7 +20,7 @@ export class MomentsPad {
   readonly #dot = svgElement("circle", { r: "7", class: "pad-dot" });
   readonly #said = element("p", { class: "hint" });
   #moments: Three = [1, 1, 1];
-  /** Which of the pad's axes has the least moment, and so on: the dot stays under the pointer. */
+  /** Axis of the pad for the least moment, and so on, so that the dot stays under the pointer. */
   #order = [0, 1, 2];
   #isAllowed = false;
   #isDragged = false;
@@ -55,7 +58,7 @@ export class MomentsPad {
     this.#show();
   }
 
-  // The moments as the pad's axes have them.
+  // Moments in the order of the pad's axes.
   get #placed(): Three {
     const out: Three = [0, 0, 0];
     this.#order.forEach((axis, k) => {
@@ -84,7 +87,7 @@ export class MomentsPad {
     this.#session.edit({ moments: this.#moments });
   }
 
-  // The parts of a body would go: that is asked once.
+  // Asks once before the parts of a body are replaced.
   async #mayReplace(): Promise<boolean> {
     if (this.#isAllowed || isTensor(this.#session.text)) return true;
     this.#isDragged = false;

@@ -1,8 +1,9 @@
 /**
- * What the live page and `polhode live` say to each other: the contract between `polhode-live`, which answers, and the page, which asks.
+ * Protocol of the live page: the contract between the page and `polhode-live`.
  *
- * Paths are relative to the page's own, which has the session's token in it. Bodies are JSON unless it is said otherwise. An answer that is
- * not 200 is `Refusal`. Offsets in a text count UTF-16 units, as strings of JavaScript do.
+ * Paths are relative to the page's own, which contains the session's token. Bodies are JSON except
+ * where noted. An answer that is not 200 is a `Refusal`. Offsets in a text count UTF-16 units, as
+ * in JavaScript strings.
  */
 import type { PageData, Shape } from "../data";
 
@@ -12,125 +13,141 @@ export interface Refusal {
   hint: string | null;
 }
 
-/** `GET documents`: what was opened or dropped, in this order. Asked again twice a second, as a file may change. */
+/**
+ * `GET documents`: documents in the order in which they were opened or dropped. The page polls
+ * twice a second, because files may change.
+ */
 export interface Documents {
   documents: DocumentInfo[];
-  /** What the page begins with; null if the reader is to choose a lesson. */
+  /** Document to begin with; null if the reader must choose a lesson. */
   first: number | null;
 }
 
 export interface DocumentInfo {
   id: number;
-  /** "t-handle.toml" */
+  /** Name, such as "t-handle.toml". */
   name: string;
   kind: "scenario" | "mesh" | "robot";
-  /** Its file is one mesh: `GET mesh/ID` shows it, whether it bounds a solid or not. */
+  /** True if the file is a single mesh: `GET mesh/ID` shows it, whether it is closed or not. */
   mesh: boolean;
-  /** Differs if the file has changed. */
+  /** Changes when the file changes. */
   stamp: string;
 }
 
-/** `GET document/ID`: a scenario's text as the file has it now; of a mesh or a robot what is found in it. */
+/** `GET document/ID`: current text of a scenario, or the inspection of a mesh or a robot. */
 export type DocumentContent =
   | { kind: "scenario"; text: string }
   | { kind: "mesh"; mesh: MeshInspection }
   | { kind: "robot"; robot: RobotInspection };
 
 /**
- * `GET mesh/ID`: a mesh and what is found in it, also of one that bounds a solid and so has a motion. Of a mesh, here and in `GET document/ID`, the
- * answer is JSON with rows behind it, as that of `POST motion`: `{"f32": [at, count]}` and `{"u32": [at, count]}`, counted in numbers.
+ * `GET mesh/ID`: inspection of a mesh, also of a closed one with a motion. For a mesh, here and in
+ * `GET document/ID`, the answer is JSON followed by rows, like that of `POST motion`:
+ * `{"f32": [at, count]}` and `{"u32": [at, count]}`, counted in numbers.
  */
 export type MeshContent = Extract<DocumentContent, { kind: "mesh" }>;
 
 /**
- * `POST motion`: change a scenario, and compute its motion. The answer is JSON with rows of f64 behind it: the length of the JSON as a u64, the
- * JSON, and the numbers, all little-endian. Where a row belongs into `page.motion` and `page.free` the JSON has `{"f64": [at, count]}`, counted
- * in numbers; its length is a multiple of eight, so that they can be read where they are.
+ * `POST motion`: changes a scenario and computes its motion.
+ *
+ * The answer is JSON followed by rows of f64: the length of the JSON as a u64, the JSON, and the
+ * numbers, all little-endian. For each row in `page.motion` and `page.free`, the JSON has
+ * `{"f64": [at, count]}`, counted in numbers. The length of the JSON is a multiple of eight, so
+ * that the numbers can be read in place.
  */
 export interface MotionRequest {
-  /** Whose files the scenario may name. */
+  /** Document to whose files the scenario may refer. */
   document: number;
   text: string;
-  /** Applied to the text one after the other. */
+  /** Edits, applied to the text one after the other. */
   edits: Edit[];
-  /** Of the page's parts, those that take time: the error of the numbers and the worked solution. */
+  /** Requests for the slow parts of the page: the error of the numbers and the worked solution. */
   error: boolean;
   working: boolean;
-  /** `body` of the last answer: what the page has of the body is not sent again. */
+  /** `body` of the last answer. Data of the body that the page has already are not sent again. */
   body: string | null;
 }
 
 export type Edit =
-  /** A value of the scenario by its key, "body.part[0].radius", as TOML: `"4 mm"`. Null takes the key away. */
+  /**
+   * Value of the scenario by its key, "body.part[0].radius", as TOML: `"4 mm"`. Null removes the
+   * key.
+   */
   | { set: string; value: string | null }
-  /** ω at the start, body axes, rad/s; the attitude stays. */
+  /** ω at the start, body axes, rad/s; the attitude is kept. */
   | { omega: [number, number, number] }
   /** Attitude (w, x, y, z) and ω in body axes, rad/s, at the start. */
   | { attitude: [number, number, number, number]; omega: [number, number, number] }
-  /** Principal moments, ascending, kg·m²: the body becomes a tensor with the mass, the centre of mass and the principal axes that it has. */
+  /**
+   * Principal moments, ascending, kg·m². The body becomes a tensor with the present mass, centre of
+   * mass and principal axes.
+   */
   | { moments: [number, number, number] };
 
 export interface MotionAnswer {
-  /** The text with the edits. */
+  /** Text with the edits. */
   text: string;
-  /** Null if it is no scenario, or if its motion cannot be computed. */
+  /** Null if the text is not a scenario, or its motion cannot be computed. */
   motion: {
     page: PageData;
-    /** If it is what was asked with, `page.body.shapes`, `page.free.family` and `page.free.separatrix` are empty, and the last ones are meant. */
+    /**
+     * If it equals that of the request, `page.body.shapes`, `page.free.family` and
+     * `page.free.separatrix` are empty, and the previous ones are valid.
+     */
     body: string;
   } | null;
-  /** Empty if the text is no TOML. */
+  /** Knobs; empty if the text is not TOML. */
   knobs: Knob[];
   switches: Switch[];
-  /** What is wrong: one error, as the reader stops there. */
+  /** Errors: at most one, because the reader stops at the first. */
   errors: TextError[];
-  /** ms that the answer took. */
+  /** Computation time of the answer, ms. */
   took: number;
 }
 
 export interface TextError {
   message: string;
   hint: string | null;
-  /** Where in the text; null if it is nowhere in it. */
+  /** Place in the text; null if the error has none. */
   from: number | null;
   to: number | null;
   line: number | null;
   column: number | null;
 }
 
-/** A number of the scenario that can be turned. */
+/** A number of the scenario that can be changed. */
 export interface Knob {
-  /** "body.part[0].radius" */
+  /** Key, such as "body.part[0].radius". */
   key: string;
-  /** "crossbar: radius" */
+  /** Label, such as "crossbar: radius". */
   label: string;
   group: "body" | "start" | "torque" | "wheel" | "run" | "other";
-  /** As it is written: 4 of "4 mm". */
+  /** Value in the unit of the text: 4 for "4 mm". */
   value: number;
-  /** As it is written; empty of a plain number in SI. */
+  /** Unit in the text; empty for a plain number in SI units. */
   unit: string;
-  /** The unit of a plain number, to be shown: "m"; empty of a number without a dimension. */
+  /** SI unit of a plain number for display: "m"; empty for a dimensionless number. */
   si: string;
-  /** What it is: "a length". */
+  /** Kind of quantity: "a length". */
   what: string;
-  /** As the value is written. */
+  /** Ends of the slider, in the unit of the text. */
   low: number;
   high: number;
-  /** Equal steps, or equal factors: of what is positive. */
+  /** Equal steps, or, for positive quantities, equal factors. */
   scale: "linear" | "log";
-  /** The most telling first. */
+  /** Rank, the most informative first. */
   rank: number;
 }
 
 /** A torque that can be switched on and off. */
 export interface Switch {
-  /** "torque[0].on" */
+  /** Key, such as "torque[0].on". */
   key: string;
   label: string;
   on: boolean;
 }
 
-/** `POST complete`: what may stand at a place of the text. */
+/** `POST complete`: completions at a place of the text. */
 export interface CompleteRequest {
   document: number;
   text: string;
@@ -138,33 +155,33 @@ export interface CompleteRequest {
 }
 
 export interface CompleteAnswer {
-  /** What the chosen one replaces. */
+  /** Interval that the chosen completion replaces. */
   from: number;
   to: number;
   options: { label: string; detail: string }[];
 }
 
 /**
- * `POST drop?name=part.stl&set=7`: bytes of a file as the body. Files of the same set, a number of the page's choice, lie in one folder, so that
- * a model finds its meshes. Then `POST open`.
+ * `POST drop?name=part.stl&set=7`: bytes of a file as the body. Files of the same set, a number
+ * that the page chooses, are in one folder, so that a model finds its meshes. `POST open` follows.
  */
 export interface OpenRequest {
   set: number;
-  /** One of its files. */
+  /** Name of a file of the set. */
   name: string;
 }
 
-/** A scenario is made of a body that is sound: its motion is shown at once. */
+/** The opened document. A physical body becomes a scenario, and its motion is shown immediately. */
 export type OpenAnswer = DocumentInfo;
 
-/** A mesh, and what is wrong with it; it bounds a solid if nothing of it is an error. */
+/** Inspection of a mesh. It is closed if no finding is an error. */
 export interface MeshInspection {
   name: string;
-  /** x y z of each vertex, m. */
+  /** Coordinates x, y, z of each vertex, m. */
   vertices: Float32Array;
-  /** Three for each triangle. */
+  /** Indices of three vertices for each triangle. */
   triangles: Uint32Array;
-  /** How many the file has; more than are here if it was made coarser. */
+  /** Number of triangles in the file; greater than the number here if the mesh was made coarser. */
   of: number;
   findings: MeshFinding[];
 }
@@ -173,49 +190,49 @@ export interface MeshFinding {
   code: string;
   severity: "error" | "warning" | "info";
   message: string;
-  /** What to do about it. */
+  /** Advice for a fix. */
   hint: string | null;
-  /** Pairs of points, x y z, of the edges that it marks; empty if it marks none. */
+  /** Marked edges as pairs of points x, y, z; empty if there are none. */
   edges: Float32Array;
-  /** x y z of three corners for each triangle that it marks. */
+  /** Marked triangles as x, y, z of three corners. */
   faces: Float32Array;
 }
 
-/** A robot as it stands with all joints at zero. */
+/** Inspection of a robot with all joints at zero. */
 export interface RobotInspection {
   name: string;
   links: RobotLink[];
-  /** `file`, if the place is in one that the model includes. */
+  /** Findings; `file` is given if the place is in an included file. */
   findings: { link: number | null; code: string; severity: "impossible" | "suspect" | "note"; message: string; file?: string; line: number; column: number }[];
-  /** The repaired file and what was changed; null if no fix is the only one that agrees with all evidence. */
+  /** Repaired file and its changes; null if no fix is the only one consistent with all data. */
   repair: { text: string; changes: { line: number; before: string; after: string }[] } | null;
 }
 
 export interface RobotLink {
   name: string;
-  /** Of the link's frame in the model's: m, and (w, x, y, z). */
+  /** Pose of the link's frame in the model's frame: m, and (w, x, y, z). */
   position: [number, number, number];
   quaternion: [number, number, number, number];
-  /** In the link's frame: its visual geometry, or its collision geometry where it has no visual. */
+  /** Visual geometry in the link's frame, or collision geometry if there is no visual. */
   shapes: Shape[];
-  /** Null without an inertial. */
+  /** Inertial data; null if the link has none. */
   inertial: {
     mass: number;
-    /** In the link's frame. */
+    /** Centre of mass in the link's frame. */
     center: [number, number, number];
-    /** Of the equivalent box along the principal axes, m; null of an impossible tensor. */
+    /** Equivalent box along the principal axes, m; null for an unphysical tensor. */
     box: { size: [number, number, number]; quaternion: [number, number, number, number] } | null;
   } | null;
   verdict: "impossible" | "suspect" | "ok" | "none";
 }
 
-/** `GET lessons`; a teacher's own comes first. */
+/** `GET lessons`; a teacher's own lesson comes first. */
 export interface Lessons {
   lessons: LessonInfo[];
 }
 
 export interface LessonInfo {
-  /** Behind `#lesson=` in the page's address it is begun with. */
+  /** Identifier; `#lesson=ID` in the page's address opens the lesson. */
   id: string;
   title: string;
   summary: string;
@@ -223,20 +240,24 @@ export interface LessonInfo {
 
 /** `GET lesson/ID` */
 export interface Lesson extends LessonInfo {
-  /** Its scenario, among the documents from now on. */
+  /** Document of its scenario. */
   document: number;
   steps: LessonStep[];
 }
 
-/** Read, predict, turn, see. */
+/** A step of a lesson: read, predict, change, see. */
 export interface LessonStep {
   text: string;
-  /** A question with answers to choose from, `right` from 0; null if there is nothing to predict. */
+  /**
+   * Question with answers to choose from, `right` counted from 0; null if there is no prediction.
+   */
   question: { text: string; answers: string[]; right: number; why: string } | null;
-  /** Keys of knobs to turn, the only ones shown. */
+  /** Keys of the only knobs shown. */
   knobs: string[];
-  /** The scenario that it begins with. */
+  /** Scenario at the beginning of the step. */
   scenario: string;
-  /** Which part of the worked solution stands beside it: the beginning of its heading; null for none. */
+  /**
+   * Part of the worked solution shown with the step: the beginning of its heading; null for none.
+   */
   working: string | null;
 }

@@ -1,6 +1,6 @@
-/** The range of a knob: where a value is on its slider, and which values the slider gives. Pure. */
+/** Range of a knob: conversion between values and slider positions. Pure functions. */
 
-/** Places of a slider. */
+/** Number of slider positions. */
 export const PLACES = 1000;
 
 export interface Range {
@@ -9,13 +9,13 @@ export interface Range {
   scale: "linear" | "log";
 }
 
-/** From 0 to PLACES; beyond the range it is at its end. */
+/** Returns the slider position from 0 to PLACES; values beyond the range are at its ends. */
 export function placeOf(value: number, { low, high, scale }: Range): number {
   const part = scale === "log" && value > 0 ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
   return PLACES * Math.min(Math.max(Number.isFinite(part) ? part : 0, 0), 1);
 }
 
-/** A value with no more digits than its slider tells apart. */
+/** Returns the value at a position, with no more digits than the slider resolves. */
 export function valueAt(place: number, { low, high, scale }: Range): number {
   const part = Math.min(Math.max(place / PLACES, 0), 1);
   if (part === 0) return low;
@@ -23,11 +23,11 @@ export function valueAt(place: number, { low, high, scale }: Range): number {
   if (scale === "log") return Number((low * (high / low) ** part).toPrecision(4));
   const step = 10 ** Math.floor(Math.log10((high - low) / PLACES));
   const value = Math.round((low + part * (high - low)) / step) * step;
-  // Without the rounding of the product.
+  // Removes the rounding error of the product.
   return Number(value.toPrecision(12)) + 0;
 }
 
-/** How far a key goes, in places; null if it is none of a slider's. */
+/** Returns the step of a key in slider positions; null for other keys. */
 export function stepOf(key: string, isFine: boolean): number | null {
   const step = isFine ? 1 : PLACES / 100;
   switch (key) {
@@ -50,19 +50,19 @@ export function stepOf(key: string, isFine: boolean): number | null {
   }
 }
 
-/** What stands in the scenario for a number in a unit: `"4 mm"`, or 4. */
+/** Returns a number with a unit as TOML: `"4 mm"`, or 4. */
 export function toml(value: number, unit: string): string {
   return unit === "" ? String(value) : quoted(`${value} ${unit}`);
 }
 
-/** What was typed, as TOML: a number has the knob's unit, and what has a unit of its own stands as it is. */
+/** Returns typed text as TOML. A plain number gets the knob's unit; text with a unit is kept. */
 export function typedToml(text: string, unit: string): string {
   const typed = text.trim().replaceAll("−", "-");
   const isNumber = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/.test(typed);
   return isNumber ? toml(Number(typed), unit) : quoted(typed);
 }
 
-// A basic string of TOML escapes as JSON does.
+// A basic string of TOML is escaped as in JSON.
 function quoted(text: string): string {
   return JSON.stringify(text);
 }

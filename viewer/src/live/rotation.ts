@@ -1,10 +1,16 @@
-/** A body that is turned by hand: rotations from the pointer's way, and the rate at which it is let go. Pure. */
+/**
+ * Rotation of a body by hand: rotations from the path of the pointer, and the rate at release. Pure
+ * functions.
+ */
 import { inverse, type Quaternion, type Vector } from "../attitude";
 
-/** What a hand has done this long before it lets go is what it throws with, s. */
+/** Time before the release that determines the rate of a throw, s. */
 const THROW = 0.1;
 
-/** On a ball of radius 1 in front of the eye, and beyond its rim on a hyperbola, so that there is no edge. */
+/**
+ * Projects a point onto a ball of radius 1 in front of the eye, and beyond its rim onto a
+ * hyperbola, so that there is no edge.
+ */
 export function onBall(x: number, y: number): Vector {
   const square = x * x + y * y;
   const z = square <= 0.5 ? Math.sqrt(1 - square) : 0.5 / Math.sqrt(square);
@@ -12,7 +18,7 @@ export function onBall(x: number, y: number): Vector {
   return [x / size, y / size, z / size];
 }
 
-/** The rotation that takes a unit vector to another. */
+/** Returns the rotation from one unit vector to another. */
 export function between([ax, ay, az]: Vector, [bx, by, bz]: Vector): Quaternion {
   return unit([1 + ax * bx + ay * by + az * bz, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]);
 }
@@ -31,17 +37,21 @@ export function unit(q: Quaternion): Quaternion {
   return [q[0] / size, q[1] / size, q[2] / size, q[3] / size];
 }
 
-/** An attitude that was held at a time, s. */
+/** An attitude in the hand at a time, s. */
 export interface Held {
   time: number;
   attitude: Quaternion;
 }
 
-/** The mean rate, body axes, rad/s, of the last tenth of a second before `now`; a hand that stood still throws nothing. */
+/**
+ * Returns the mean rate of the last tenth of a second before `now`, body axes, rad/s; zero if the
+ * hand did not move.
+ */
 export function rateOf(path: readonly Held[], now: number): Vector {
   const last = path.at(-1);
   if (!last || now - last.time >= THROW) return [0, 0, 0];
-  // The attitude at the beginning of that time: the last one that was taken before it, else the first of all.
+  // The attitude at the beginning of that interval: the last one recorded before it, else the first
+  // of all.
   const from = [...path].reverse().find(({ time }) => time <= now - THROW) ?? path[0];
   const seconds = now - Math.max(from.time, now - THROW);
   if (!(seconds > 0)) return [0, 0, 0];

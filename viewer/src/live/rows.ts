@@ -1,10 +1,13 @@
-/** An answer with rows of numbers behind its JSON: they are read where they are. */
+/** Answers with rows of numbers after the JSON, which are read in place. */
 
-/** Of the length of the JSON. */
+/** Size of the length of the JSON, bytes. */
 const WORD = 8;
 const KINDS = { f64: Float64Array, f32: Float32Array, u32: Uint32Array };
 
-/** The JSON, and what puts its rows into a part of it: in the place of each `{"f64": [at, count]}` so many of the numbers. */
+/**
+ * Returns the JSON, and a function that replaces each `{"f64": [at, count]}` in a part of it by the
+ * numbers.
+ */
 export function jsonAndRows<T>(bytes: ArrayBuffer): { json: T; withRows: <U>(value: U) => U } {
   const length = Number(new DataView(bytes).getBigUint64(0, true));
   const json = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, WORD, length))) as T;

@@ -1,4 +1,4 @@
-/** The server's answers, as the contract has them. */
+/** Requests to the server, according to the protocol. */
 import { motionAnswer } from "./motion-answer";
 import { jsonAndRows } from "./rows";
 import type {
@@ -16,7 +16,7 @@ import type {
   Refusal,
 } from "./protocol";
 
-/** An answer that says no, or none. */
+/** A refusal of the server, or no answer. */
 export class Refused extends Error {
   readonly hint: string | null;
 
@@ -53,7 +53,7 @@ async function ask<T>(path: string, init?: RequestInit): Promise<T> {
   return (await (await answered(path, init)).json()) as T;
 }
 
-/** What a document has: a mesh has rows of numbers. */
+/** Returns the content of a document. A mesh has rows of numbers. */
 async function content<T extends DocumentContent>(path: string): Promise<T> {
   const answer = await answered(path);
   if (answer.headers.get("Content-Type") === "application/json") return (await answer.json()) as T;
@@ -78,7 +78,7 @@ async function refusal(answer: Response): Promise<Refusal> {
     const { message, hint } = (await answer.json()) as Partial<Refusal>;
     if (typeof message === "string") return { message, hint: hint ?? null };
   } catch {
-    // Not the server's own words.
+    // The body is not a refusal of the server.
   }
   return { message: `the server answers ${answer.status} ${answer.statusText}`, hint: null };
 }

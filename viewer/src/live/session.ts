@@ -1,60 +1,66 @@
 /**
- * The scenario's text, which is all the state that there is. Knobs and the scene ask for edits, the editor for another text; the server
- * answers with the text, its motion and its knobs. One request is under way at most, and the newest of what came meanwhile waits: of
- * each key the last value.
+ * The session: the scenario's text is the only state. Knobs and scene request edits, and the editor
+ * sends a new text. The server answers with the text, its motion and its knobs. At most one request
+ * is in flight. Meanwhile, only the latest value of each key waits.
  */
 import type { FreeData, PageData, Shape } from "../data";
 import { History } from "./history";
 import type { DocumentInfo, Edit, Knob, MotionAnswer, Switch, TextError } from "./protocol";
 import { Refused, server } from "./server";
 
-/** After the last change all is asked for, with what takes time, ms. */
+/** Delay after the last change until the slow parts are requested too, ms. */
 const SETTLED = 250;
-/** A request is given up if it takes longer and another waits, ms. */
+/** Time after which a request is abandoned if another one waits, ms. */
 const PATIENCE = { least: 60, most: 4000 };
 
 export interface Trouble {
   message: string;
   hint: string | null;
-  /** The knob that was turned to it. */
+  /** Key of the knob that caused it. */
   key: string | null;
 }
 
-/** What hears of the session. */
+/** Listener of the session. */
 export interface Listener {
-  /** Text, knobs, errors, or what can be undone have changed. */
+  /** Called when text, knobs, errors or the undo history have changed. */
   changed?: () => void;
-  /** Another motion; `anew` of another document, `isWorked` if the worked solution is its. */
+  /**
+   * Called for another motion; `anew` for another document, `isWorked` if the worked solution
+   * belongs to it.
+   */
   moved?: (page: PageData, how: { anew: boolean; isWorked: boolean }) => void;
 }
 
 export class Session {
   document: DocumentInfo | null = null;
-  /** As the file has it. */
+  /** Text of the file. */
   fileText = "";
   text = "";
   knobs: Knob[] = [];
   switches: Switch[] = [];
   errors: TextError[] = [];
-  /** Why the motion that is shown is not that of the text, or the text not what was asked for; null if both are. */
+  /**
+   * Error that explains why the motion is not that of the text, or the text not as requested; null
+   * otherwise.
+   */
   trouble: Trouble | null = null;
-  /** ms that the last answer took there, and on the way. */
+  /** Time of the last answer, ms: in the server, and in total. */
   took = { there: 0, all: 0 };
-  /** Whether the worked solution is looked at. */
+  /** Returns true if the worked solution is visible. */
   wantsWorking = (): boolean => false;
 
   readonly history = new History();
   readonly #listeners: Listener[] = [];
   readonly #waiting = new Map<string, Edit>();
   #flight: { stop: AbortController; since: number; edits: Map<string, Edit> } | null = null;
-  /** Of the text that is under way: an answer to an older one is nothing. */
+  /** Version of the text in flight. Answers to older versions are dropped. */
   #version = 0;
   #isDue = false;
   #anew = false;
   #patience: number = PATIENCE.least;
   #timer = 0;
   #lastKey: string | null = null;
-  /** Why the last edit could not be made. */
+  /** Reason why the last edit could not be made. */
   #refused: Trouble | null = null;
   #body: { key: string; shapes: Shape[]; others: Pick<FreeData, "family" | "separatrix"> | null } | null = null;
 
@@ -66,12 +72,12 @@ export class Session {
     return this.text !== this.fileText;
   }
 
-  /** Whether what is shown is of the text as it is. */
+  /** True if the motion shown belongs to the current text. */
   get isSettled(): boolean {
     return this.#flight === null && !this.#isDue && this.trouble === null;
   }
 
-  /** Begins with a document; `text` instead of its own if that was changed. */
+  /** Opens a document; `text` replaces its own if that was changed. */
   open(document: DocumentInfo, fileText: string, text = fileText): void {
     this.document = document;
     this.fileText = fileText;
@@ -81,7 +87,7 @@ export class Session {
     this.#take(text);
   }
 
-  /** The file is another one now. */
+  /** Replaces the text after the file has changed. */
   reload(document: DocumentInfo, fileText: string): void {
     this.document = document;
     this.fileText = fileText;
@@ -89,7 +95,10 @@ export class Session {
     else this.replace(fileText, "file");
   }
 
-  /** Another text, by `kind`: changes of one kind that follow each other are one step of undoing. */
+  /**
+   * Replaces the text. `kind` is the kind of change: successive changes of one kind are one undo
+   * step.
+   */
   replace(text: string, kind: string): void {
     if (text === this.text) return;
     this.history.touch(this.text, kind);
@@ -113,7 +122,7 @@ export class Session {
   edit(edit: Edit): void {
     const key = keyOf(edit);
     this.history.touch(this.text, key);
-    // An attitude with its ω says all that an ω says.
+    // An attitude edit also contains ω.
     if (key === "attitude") this.#waiting.delete("omega");
     this.#waiting.delete(key);
     this.#waiting.set(key, edit);
@@ -123,12 +132,12 @@ export class Session {
     this.#go();
   }
 
-  /** Whether a later value of this key is still to be sent: what the last answer says of it is of before. */
+  /** Returns true if a later value of this key is waiting: the last answer has an older value. */
   isWaiting(key: string): boolean {
     return this.#waiting.has(key);
   }
 
-  /** Between the two all changes of one thing are one step of undoing. */
+  /** All changes of one kind until `release` are one undo step. */
   hold(): void {
     this.history.hold();
   }
@@ -137,7 +146,7 @@ export class Session {
     this.history.release();
   }
 
-  /** Asks for all again: the panels that need what takes time are open. */
+  /** Requests everything again, because panels that need the slow parts have been opened. */
   settle(): void {
     clearTimeout(this.#timer);
     this.#timer = window.setTimeout(() => void this.#send(true), this.#isDue || this.#flight ? SETTLED : 0);
@@ -168,7 +177,7 @@ export class Session {
       this.#timer = window.setTimeout(() => this.#go(), left);
       return;
     }
-    // It would answer at last: the next one is waited for longer.
+    // The request would have succeeded later: wait longer for the next one.
     this.#patience = Math.min(2 * this.#patience, PATIENCE.most);
     const { stop, edits } = this.#flight;
     this.#flight = null;
@@ -210,11 +219,12 @@ export class Session {
   #receive(answer: MotionAnswer, isWorked: boolean): void {
     this.text = answer.text;
     this.errors = answer.errors;
-    // A text with an error has but some of its knobs, and will have all again.
+    // A text with an error has only some of its knobs; they all return when it is fixed.
     if (answer.motion || this.knobs.length === 0) [this.knobs, this.switches] = [answer.knobs, answer.switches];
     const [error] = answer.errors;
     const trouble = { message: error?.message ?? "there is no motion", hint: error?.hint ?? null, key: this.#lastKey };
-    // Beside a motion an error is of an edit that could not be made: the text is as it was, and it is said until the next change.
+    // An error together with a motion belongs to an edit that could not be made. The text is
+    // unchanged, and the error is shown until the next change.
     if (answer.motion && error) this.#refused = trouble;
     this.trouble = answer.motion ? this.#refused : trouble;
     if (answer.motion) {
@@ -244,13 +254,13 @@ export class Session {
     this.tell();
   }
 
-  /** Listeners are told how it stands. */
+  /** Notifies the listeners. */
   tell(): void {
     for (const { changed } of this.#listeners) changed?.();
   }
 }
 
-/** What an edit changes. */
+/** Returns the key of the value that an edit changes. */
 export function keyOf(edit: Edit): string {
   if ("set" in edit) return edit.set;
   if ("attitude" in edit) return "attitude";

@@ -1,4 +1,7 @@
-/** Which document is shown: the motion of a scenario, or what was found in another file. It follows its file on the disk. */
+/**
+ * Selection of the document: the motion of a scenario, or the inspection of another file. It
+ * follows changes of the file.
+ */
 import { element } from "../dom";
 import type { Inspection } from "./inspection/inspection";
 import type { Notice } from "./notice";
@@ -7,17 +10,17 @@ import { Refused, server } from "./server";
 import type { Session } from "./session";
 
 export class Shown {
-  /** All documents, to choose from. */
+  /** Selection of a document. */
   readonly choice = element("select", { "aria-label": "Document", id: "documents", hidden: true });
-  /** From a mesh that turns to what was found in it, and back. */
+  /** Button to switch between the motion of a mesh and its inspection. */
   readonly other = element("button", { type: "button", id: "other", hidden: true, click: () => this.#toggle() });
-  /** Whether somebody else, a lesson, takes the file's new text. */
+  /** Returns true if a lesson takes over the file's new text. */
   takes: (id: number) => Promise<boolean> = () => Promise.resolve(false);
   readonly #session: Session;
   readonly #inspection: Inspection;
   readonly #notice: Notice;
   #all: DocumentInfo[] = [];
-  /** The last that was asked for: of two answers the later is shown, whichever comes first. */
+  /** Number of the last request: the latest one is shown, whichever answer arrives first. */
   #asked = 0;
 
   constructor(session: Session, inspection: Inspection, notice: Notice) {
@@ -35,11 +38,11 @@ export class Shown {
     return this.#inspection.document ?? this.#session.document;
   }
 
-  /** Opens a document; a scenario with `text` instead of its own, if that was changed. */
+  /** Opens a document; for a scenario, `text` replaces its own if that was changed. */
   async open(info: DocumentInfo, text?: string): Promise<void> {
     this.#asked += 1;
     const asked = this.#asked;
-    // Back to what was left as it is.
+    // Returns to the unchanged motion.
     if (this.#inspection.document && info.id === this.#session.document?.id && text === undefined) {
       this.#inspection.hide();
       this.#session.tell();
@@ -76,7 +79,7 @@ export class Shown {
     this.#name();
   }
 
-  /** The documents as they are now: the one that is shown may have changed on the disk. */
+  /** Updates the documents. The one that is shown may have changed on the disk. */
   async update(all: DocumentInfo[]): Promise<void> {
     this.#all = all;
     this.choice.replaceChildren(...all.map(({ id, name }) => element("option", { value: String(id) }, name)));

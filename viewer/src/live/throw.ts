@@ -1,4 +1,7 @@
-/** The body in the hand: while this is on, a drag turns it about the point that it turns about, and where it is let go it goes on as it was turned. */
+/**
+ * Body in the hand: while this mode is on, a drag rotates the body about its centre of rotation. On
+ * release, it continues with the rate of the hand.
+ */
 import { Vector3 } from "three";
 import type { App } from "../app";
 import { type Quaternion, rotate, type Vector } from "../attitude";
@@ -7,11 +10,11 @@ import type { View } from "../scene/scene";
 import { between, type Held, onBall, product, rateOf, unit } from "./rotation";
 import type { Session } from "./session";
 
-/** Of an arrow key, rad. */
+/** Rotation for an arrow key, rad. */
 const TURN = 0.06;
-/** Of the ball that is turned, where the body's radius is 1. */
+/** Radius of the ball that the pointer rotates, relative to the body's radius. */
 const BALL = 1.2;
-/** Of the way that is remembered, s. */
+/** Length of the recorded path, s. */
 const MEMORY = 0.5;
 
 export class Throw {
@@ -29,7 +32,7 @@ export class Throw {
     this.#view = view;
     this.#session = session;
     this.button.addEventListener("click", () => this.toggle());
-    // Before the camera hears of it.
+    // Registered to run before the camera's listeners.
     const stage = byId("stage");
     stage.addEventListener("pointerdown", (event) => this.#take(event), { capture: true });
     stage.addEventListener("pointermove", (event) => this.#move(event), { capture: true });
@@ -85,7 +88,7 @@ export class Throw {
     this.#pointer = null;
     const attitude = this.#path.at(-1)?.attitude;
     if (!attitude || this.#path.length < 2) return;
-    // It goes on as it was seen to turn: at the speed of the clock.
+    // The rate is divided by the clock speed, so that the body continues as it was seen to turn.
     const rate = rateOf(this.#path, event.timeStamp / 1000).map((w) => w / this.#app.clock.speed) as Vector;
     this.#session.edit({ attitude, omega: rate });
     const { clock } = this.#app;
@@ -93,7 +96,7 @@ export class Throw {
     clock.play();
   }
 
-  // The arrow keys turn it, and it keeps its ω.
+  // The arrow keys rotate the body, and ω is kept.
   #key(event: KeyboardEvent): void {
     if (!this.#isOn || event.shiftKey || event.ctrlKey || event.metaKey || event.altKey) return;
     const axis = { ArrowRight: [0, 1, 0], ArrowLeft: [0, -1, 0], ArrowUp: [-1, 0, 0], ArrowDown: [1, 0, 0] }[event.key];
@@ -113,7 +116,7 @@ export class Throw {
     this.#view.invalidate();
   }
 
-  // A rotation in the eye's axes, in those of space.
+  // Converts a rotation in axes of the eye to space axes.
   #inSpace(turn: Quaternion): Quaternion {
     const q = this.#view.orbit.camera.quaternion;
     const eye: Quaternion = [q.w, q.x, q.y, q.z];

@@ -1,4 +1,7 @@
-/** The tip of ω as a handle: dragged in the plane that faces the eye, or moved with the arrow keys. Where it is taken, the motion begins. */
+/**
+ * Handle at the tip of ω, dragged in the plane that faces the eye, or moved with the arrow keys.
+ * The motion begins at the time at which it is taken.
+ */
 import { Quaternion, Vector3 } from "three";
 import type { App } from "../app";
 import { inverse, rotate, type Vector } from "../attitude";
@@ -7,11 +10,11 @@ import { number } from "../format";
 import type { View } from "../scene/scene";
 import type { Session } from "./session";
 
-/** A tip nearer to the middle is no rotation, in the picture. */
+/** Length below which the tip means no rotation, in the picture. */
 const ZERO = 0.04;
-/** Of a key, in the picture. */
+/** Step for a key, in the picture. */
 const STEP = 0.04;
-/** Length of 1 rad/s where nothing turns. */
+/** Length of 1 rad/s for a body at rest, in the picture. */
 const AT_REST = 0.4;
 
 const UNITS: Record<string, number> = {
@@ -30,7 +33,7 @@ export class TipHandle {
   readonly #session: Session;
   readonly #handle = element("div", { class: "tip", tabindex: "0", role: "slider", "aria-label": "Angular velocity ω; arrow keys move its tip, + and − its length" });
   readonly #reading = element("output", { class: "tip-reading", hidden: true, "aria-live": "off" });
-  /** While it is dragged: where the pointer has it. */
+  /** Position of the pointer during a drag. */
   #tip: Vector3 | null = null;
   #isDragged = false;
 
@@ -60,7 +63,7 @@ export class TipHandle {
     const [x, y] = this.#view.project((this.#tip ?? omega.tip).clone().add(omega.foot));
     this.#handle.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     this.#reading.style.transform = `translate(${(x + 16).toFixed(1)}px, ${(y - 26).toFixed(1)}px)`;
-    // What is not looked at need not be said.
+    // The text is updated only while it is relevant.
     if (document.activeElement === this.#handle || this.#isDragged) this.#say();
   }
 
@@ -77,19 +80,19 @@ export class TipHandle {
     return this.#view.omega?.scale || AT_REST;
   }
 
-  // Body axes, rad/s.
+  // Angular velocity in body axes, rad/s.
   #omega(): Vector {
     const tip = this.#tip ?? this.#view.omega?.tip ?? new Vector3();
     return rotate(inverse(this.#view.attitude), [tip.x, tip.y, tip.z].map((c) => c / this.#scale) as Vector);
   }
 
-  // The unit that the scenario has for it.
+  // Unit of ω in the scenario.
   #unit(): { name: string; size: number } {
     const { unit } = this.#session.knobs.find(({ group, unit }) => group === "start" && unit in UNITS) ?? { unit: "rad/s" };
     return { name: unit, size: UNITS[unit] ?? 1 };
   }
 
-  // The motion begins where ω is taken.
+  // Makes the motion begin at the current time.
   #take(): void {
     const { clock } = this.#app;
     clock.pause();

@@ -1,10 +1,13 @@
-/** Torques that can be added to a scenario, of a size that shows on this body in the time of its run. */
+/**
+ * Torques that can be added to a scenario, with a size that has a visible effect on this body
+ * during its run.
+ */
 import type { PageData } from "../data";
 import { element } from "../dom";
 import type { Motion } from "../motion";
 import type { Session } from "./session";
 
-/** What their sizes are taken from. */
+/** Data from which the sizes are derived. */
 interface Numbers {
   page: PageData;
   motion: Motion;
@@ -12,21 +15,21 @@ interface Numbers {
 
 interface Addable {
   label: string;
-  /** Only a torque with a name can be switched off. */
+  /** Name. A torque without one cannot be switched off. */
   name: string;
   text: (sizes: Sizes) => string;
-  /** Null if it can be added to this scenario, else why not. */
+  /** Returns null if the torque can be added to this scenario, else the reason. */
   refused?: (text: string) => string | null;
 }
 
 interface Sizes {
-  /** s */
+  /** Duration, s. */
   time: number;
-  /** The greatest moment, kg·m². */
+  /** Greatest principal moment, kg·m². */
   moment: number;
-  /** rad/s */
+  /** Angular speed, rad/s. */
   rate: number;
-  /** kg·m²/s */
+  /** Angular momentum, kg·m²/s. */
   momentum: number;
 }
 
@@ -49,7 +52,8 @@ const ADDABLE: Addable[] = [
   {
     label: "Energy sink",
     name: "energy sink",
-    // The nutation of a spinner grows as exp(t/τ), 1/τ = α L² (1/i₁ − 1/i₃), and 1/i₁ − 1/i₃ is about 1/i₃.
+    // The nutation of a spinning body grows as exp(t/τ), 1/τ = α L² (1/i₁ − 1/i₃), and 1/i₁ − 1/i₃
+    // is about 1/i₃.
     text: ({ moment, momentum, time }) => `model = "energy_sink"\ncoefficient = "${short((3 * moment) / (time * momentum ** 2))} /(N m s)"`,
   },
   {
@@ -66,7 +70,7 @@ const ADDABLE: Addable[] = [
   },
 ];
 
-/** A button with a menu of them. */
+/** Creates a menu of the torques. */
 export function addable(session: Session, numbers: () => Numbers): HTMLElement {
   const choice = element("select", { "aria-label": "Add a torque", class: "quiet" });
   const fill = (): void => {
@@ -91,7 +95,7 @@ export function addable(session: Session, numbers: () => Numbers): HTMLElement {
   return choice;
 }
 
-/** The name, with a number behind it if there is one already. */
+/** Returns the name, with a number appended if it exists already. */
 function free(name: string, text: string): string {
   const isTaken = (tried: string): boolean => text.includes(`"${tried}"`);
   let tried = name;

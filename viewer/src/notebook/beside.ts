@@ -1,16 +1,16 @@
 /**
- * The output of a widget's motion, which stands before the widget's own: it is seen where there is no widget, as in a notebook that is opened again
- * without its kernel, and hidden where there is one.
+ * Static output of a widget's motion, placed before the widget. It is visible where there is no
+ * widget, such as in a notebook without its kernel, and hidden next to a widget.
  */
 
-/** How long a widget may take to appear where nothing says that it is on its way, ms. */
+/** Time for a widget to appear if nothing indicates that it is loading, ms. */
 const PATIENCE = 2000;
 
-/** What JupyterLab says in the place of a widget that it waits for, and of one that it does not have. */
+/** Texts of JupyterLab instead of a widget that is loading, and of one that it does not have. */
 const LOADING = "Loading widget";
 const NOT_FOUND = "Error displaying widget";
 
-/** Calls `show` once, when the output is to be seen. */
+/** Calls `show` once, when the output must become visible. */
 export function beside(output: HTMLElement, show: () => void): void {
   const area = output.closest<HTMLElement>(".jp-OutputArea, .output") ?? output.parentElement ?? document.body;
   const own = output.closest<HTMLElement>(".jp-OutputArea-child") ?? output;

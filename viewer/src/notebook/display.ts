@@ -1,6 +1,6 @@
 /**
- * The script of an output that shows a motion. The motion's data are in it, packed; the viewer is in one of the notebook's outputs, the first. Where
- * no script runs, a sentence stands in the output.
+ * Script of an output that shows a motion. The output contains the packed data of the motion. The
+ * viewer is in the first such output of the notebook. Without scripts, the output shows a sentence.
  */
 import { beside } from "./beside";
 import { frame } from "./frame";

@@ -1,4 +1,7 @@
-/** A page in a frame of a notebook: it shows packed data, and then what the document around sends. */
+/**
+ * Page in a frame of a notebook: it shows packed data, and then the data that the surrounding
+ * document sends.
+ */
 import { type App, say } from "../app";
 import { bytesOf } from "../base64";
 import type { PageData } from "../data";
@@ -6,10 +9,10 @@ import { unpack } from "../packed";
 import { setTheme } from "../theme";
 import type { ToFrame } from "./message";
 
-/** `begin` shows the first. An empty text says that all data are sent. */
+/** `begin` shows the first data. An empty text means that all data are sent. */
 export function follow(text: string, begin: (page: PageData) => App): void {
   let app: App | null = null;
-  /** The last that came: of two the later is shown, whichever is unpacked first. */
+  /** Number of the last data: the latest are shown, whichever are unpacked first. */
   let last = 0;
   const show = async (packed: Uint8Array<ArrayBuffer>): Promise<void> => {
     last += 1;

@@ -1,17 +1,20 @@
-/** The viewer in a frame of its own, whose scripts reach nothing outside: in a notebook, with the notebook's colours. */
+/** The viewer in a sandboxed frame of a notebook, with the notebook's colours. */
 import { PACKED, type ToFrame } from "./message";
 
-/** Where its data go. */
+/** Place of the data in the page. */
 const HELD = 'id="polhode-data" type="application/json">';
 
-/** The viewer's page with packed data in it; an empty text makes it ask for them. */
+/**
+ * Creates a frame with the viewer's page and packed data. With an empty text, the page requests the
+ * data.
+ */
 export function frame(viewer: string, packed: string): HTMLIFrameElement {
   const theme = themeOf(document);
   const made = document.createElement("iframe");
   made.setAttribute("sandbox", "allow-scripts");
   made.title = "motion";
   made.style.cssText = "display: block; width: 100%; height: 640px; border: 0";
-  // A function: "$&" in a page is no pattern.
+  // A function, because "$&" in a page is not a pattern.
   const page = viewer.replace(HELD, () => `${HELD.replace("application/json", PACKED)}${packed}`);
   made.srcdoc = theme === null ? page : page.replace('<html lang="en">', `<html lang="en" data-theme="${theme}">`);
   const tell = (): void => {
@@ -19,7 +22,7 @@ export function frame(viewer: string, packed: string): HTMLIFrameElement {
     if (now !== null) send(made, { polhode: "theme", theme: now });
   };
   new MutationObserver(tell).observe(document.body, { attributes: true, attributeFilter: ["data-jp-theme-light", "class"] });
-  // JupyterLab takes out what is out of sight: when it comes back it is loaded anew.
+  // JupyterLab removes outputs that are out of sight. When they return, they are loaded again.
   made.addEventListener("load", tell);
   return made;
 }
@@ -28,7 +31,10 @@ export function send(to: HTMLIFrameElement, message: ToFrame): void {
   to.contentWindow?.postMessage(message, "*");
 }
 
-/** Whether JupyterLab or Visual Studio Code are light or dark; null of what has the system's colours. */
+/**
+ * Returns the theme of JupyterLab or Visual Studio Code; null for programs with the system's
+ * colours.
+ */
 function themeOf({ body }: Document): "light" | "dark" | null {
   const isLight = body.dataset.jpThemeLight;
   if (isLight !== undefined) return isLight === "false" ? "dark" : "light";

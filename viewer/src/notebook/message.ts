@@ -1,7 +1,10 @@
-/** What a notebook's document and its frames with the viewer have in common. */
+/** Messages between a notebook's document and its frames with the viewer. */
 
-/** The type of an element with packed data, which is empty where they are sent. */
+/** Type of an element with packed data; the element is empty if the data are sent. */
 export const PACKED = "application/octet-stream";
 
-/** What the document says to a frame. The frame says `{ polhode: "ready" }` when it has nothing to show yet. */
+/**
+ * Messages of the document to a frame. The frame sends `{ polhode: "ready" }` if it has nothing to
+ * show yet.
+ */
 export type ToFrame = { polhode: "theme"; theme: "light" | "dark" } | { polhode: "motion"; packed: ArrayBuffer };

@@ -1,17 +1,17 @@
-/** The viewer, which a notebook holds once for all of its motions. */
+/** The viewer, which a notebook contains once for all its motions. */
 import { bytesOf } from "../base64";
 import { inflated } from "../packed";
 
 interface Shared {
-  /** By the hash of its text. */
+  /** Viewers by the hash of their text. */
   viewers: Map<string, Promise<string>>;
-  /** What waits for one. */
+  /** Callbacks that wait for a viewer. */
   waiting: Map<string, ((viewer: Promise<string>) => void)[]>;
 }
 
 declare global {
   interface Window {
-    /** Of all outputs and widgets in this document. */
+    /** State shared by all outputs and widgets in this document. */
     polhodeNotebook?: Shared;
   }
 }
@@ -21,7 +21,7 @@ function shared(): Shared {
   return window.polhodeNotebook;
 }
 
-/** The viewer if it is known, or if an output in this document holds it. */
+/** Returns the viewer if it is known or contained in an output of this document. */
 export function known(key: string): Promise<string> | null {
   const { viewers } = shared();
   const held = document.querySelector(`script.polhode-viewer[data-key="${CSS.escape(key)}"]`);
@@ -29,7 +29,7 @@ export function known(key: string): Promise<string> | null {
   return viewers.get(key) ?? null;
 }
 
-/** The viewer, deflated; who waits for it gets it. */
+/** Unpacks a viewer and passes it to all waiting callbacks. */
 export function bring(key: string, packed: Uint8Array<ArrayBuffer>): Promise<string> {
   const { viewers, waiting } = shared();
   const viewer = viewers.get(key) ?? inflated(packed);
@@ -39,7 +39,7 @@ export function bring(key: string, packed: Uint8Array<ArrayBuffer>): Promise<str
   return viewer;
 }
 
-/** Calls back as soon as some output brings it. */
+/** Calls back once an output provides the viewer. */
 export function wait(key: string, then: (viewer: Promise<string>) => void): void {
   const { waiting } = shared();
   waiting.set(key, [...(waiting.get(key) ?? []), then]);

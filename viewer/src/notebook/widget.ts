@@ -1,14 +1,16 @@
 /**
- * The widget of `polhode.widget` (anywidget): knobs, and the motion of their values, which the kernel computes.
+ * The widget of `polhode.widget` (anywidget): knobs, and the motion that the kernel computes for
+ * their values.
  *
- * One question is under way at most: what changes meanwhile is asked when the answer has come, and then with the last values.
+ * At most one request is in flight. Later changes are sent after its answer, with the latest
+ * values.
  */
 import { element } from "../dom";
 import { placeOf, PLACES, stepOf, valueAt } from "../live/range";
 import { frame, send } from "./frame";
 import { bring, known, wait } from "./shared";
 
-/** `_widget.py` says what they are. */
+/** Traits; `_widget.py` describes them. */
 interface Traits {
   viewer_key: string;
   knobs: Knob[];
@@ -38,7 +40,7 @@ interface Model {
   send(message: unknown): void;
 }
 
-/** The kernel is said to be slow after so many ms. */
+/** Time after which the kernel is reported as slow, ms. */
 const SLOW = 1500;
 
 let made = 0;
@@ -64,7 +66,7 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   );
 
   const wanted: Values = { ...model.get("answer").values };
-  /** Of the question that is under way. */
+  /** Number of the request in flight. */
   let asked: number | null = null;
   let late = 0;
   const isWanted = (values: Values): boolean => Object.entries(wanted).every(([key, value]) => values[key] === value);
@@ -82,7 +84,7 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   };
   const answered = (): void => {
     const answer = model.get("answer");
-    // Of an older question, or what Python has set meanwhile.
+    // This answers an older request, or contains values that Python has set meanwhile.
     if (asked !== null && answer.turn < asked) return;
     window.clearTimeout(late);
     const isOld = asked !== null && !isWanted(model.get("asked").values);
@@ -91,7 +93,7 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
     else settle(answer);
   };
   const settle = (answer: Traits["answer"]): void => {
-    // What is refused stays at the knob.
+    // A refused value stays at its knob.
     if (answer.refusal === null) Object.assign(wanted, answer.values);
     for (const control of controls) control.show(wanted[control.knob.key]);
     tell(answer);
@@ -139,7 +141,7 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   };
 }
 
-/** A knob: its name with the unit, a slider, and its number to be typed over. */
+/** A knob: its name with the unit, a slider, and an input field. */
 class Control {
   readonly host: HTMLElement;
   readonly knob: Knob;
@@ -170,10 +172,10 @@ class Control {
     });
     field.addEventListener("change", () => {
       const { valueAsNumber: typed } = field;
-      // What was refused is asked once; leaving the field is no change.
+      // A refused value is requested once; leaving the field is not a change.
       if (Number.isFinite(typed) && typed !== this.#value) go(typed);
     });
-    // The notebook's own keys stay out of it.
+    // Keep the notebook's own keys from acting.
     this.host.addEventListener("keydown", (event) => event.stopPropagation());
   }
 

@@ -1,4 +1,4 @@
-/** What the page is, its conventions, and the licences of what is in it. */
+/** Information about the page, its conventions, and the licences of its parts. */
 import { element } from "../dom";
 import OFL from "../../../crates/polhode-document/assets/stix-two-math.OFL.txt";
 
@@ -6,7 +6,7 @@ declare const THREE_VERSION: string;
 declare const UPLOT_VERSION: string;
 declare const OMGGIF_VERSION: string;
 declare const FFLATE_VERSION: string;
-/** Of the page of `polhode live`: its version of CodeMirror's view; empty in the page that is one file. */
+/** Version of CodeMirror's view in the page of `polhode live`; empty in the single-file page. */
 declare const CODEMIRROR_VERSION: string;
 
 const WHAT =

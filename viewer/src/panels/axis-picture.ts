@@ -1,4 +1,4 @@
-/** The path of a top's axis, with the axis of the 3-D view on it. */
+/** Path of a top's axis, with the axis of the 3-D view on it. */
 import type { TopData } from "../data";
 import { element, svgElement } from "../dom";
 import { number } from "../format";
@@ -11,10 +11,10 @@ import { saveButtons } from "../save/plot-buttons";
 const TITLE = "Path of the axis in space";
 const HEIGHT = 230;
 
-/** Below this width the sphere stands above the plane, px. */
+/** Width below which the sphere is above the plane instead of next to it, px. */
 const NARROW = 380;
 
-/** Nutations that are unrolled at a time. */
+/** Number of nutations unrolled together. */
 const NUTATIONS = 6;
 
 export class AxisPicture {
@@ -114,7 +114,7 @@ export class AxisPicture {
     this.#move();
   }
 
-  /** Which part is unrolled, if not all. */
+  /** Describes the unrolled part, if it is not the whole. */
   #said(): string {
     if (!this.#path || isUpright(this.#path) || this.#pieces.length < 2) return "";
     const [from, to] = this.#pieces[this.#piece].map((i) => number((this.#path?.times[i] ?? 0) / this.#unit.seconds, 4));

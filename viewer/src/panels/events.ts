@@ -1,4 +1,7 @@
-/** The key of the letters at the plots' upper edges, where a click goes to the next time of an event; and that of the bands behind them. */
+/**
+ * Legend of the event letters above the plots, where a click moves to the next time of an event;
+ * and legend of the bands behind the plots.
+ */
 import type { Clock } from "../clock";
 import type { Phase } from "../contact";
 import { element } from "../dom";
@@ -29,7 +32,7 @@ export function eventKey(all: readonly Marked[], count: number, clock: Clock, un
   return host;
 }
 
-/** When the body rolls, slides and flies. */
+/** Creates the legend of the phases: rolling, sliding and flying. */
 export function phaseKey(phases: readonly Phase[], unit: { name: string; seconds: number }): HTMLElement {
   const say = (seconds: number): string => `${number(seconds / unit.seconds, 4)}\u00a0${unit.name}`;
   const host = element("div", { class: "phases", role: "group", "aria-label": "Phases of the contact" });

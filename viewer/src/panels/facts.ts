@@ -1,4 +1,4 @@
-/** The numbers: groups of rows, and what polhode found worth saying. */
+/** Numbers: groups of rows, and findings. */
 import type { FactGroup, PageData } from "../data";
 import { element } from "../dom";
 import { words } from "../format";
@@ -19,7 +19,7 @@ export function facts(host: HTMLElement, page: PageData, notes: string[]): void 
   host.append(element("p", { class: "hint" }, `${page.motion.count} samples, method: ${page.motion.method}.`));
 }
 
-/** A text whose numbers no line breaks. */
+/** Returns a text without line breaks inside quantities. */
 function unbroken(text: string): (Node | string)[] {
   return words(text).flatMap((word, k) => [k > 0 ? " " : "", element("span", word.whole ? { class: "nowrap" } : {}, word.text)]);
 }
@@ -28,7 +28,7 @@ function table(group: FactGroup): HTMLElement {
   const body = element("tbody");
   for (const { label, value, unit, note } of group.rows) {
     const cell = element("td", { class: "value" }, ...unbroken(value));
-    // The unit stays with the last of the numbers.
+    // The unit stays with the last number.
     if (unit !== "") {
       const last = cell.lastElementChild;
       const shown = element("span", { class: "unit" }, unit);

@@ -1,4 +1,4 @@
-/** A figure's section: its title with the buttons that save it, its constants as text, and its plots. */
+/** Section of a figure: its title with buttons for saving, its constants as text, and its plots. */
 import type uPlot from "uplot";
 import type { Phase } from "../contact";
 import { element } from "../dom";
@@ -10,14 +10,14 @@ import { bandsOf } from "../plot/phases";
 import { saveButtons } from "../save/plot-buttons";
 import { TimePlot } from "./time-plot";
 
-/** What all figures of a motion have in common. */
+/** Data that all figures of a motion share. */
 export interface Shared {
   times: Float64Array;
   unit: { name: string; seconds: number };
   marked: readonly Marked[];
-  /** Of a body on the ground. */
+  /** Phases of a body on the ground. */
   phases: readonly Phase[];
-  /** Of files that are saved. */
+  /** Name of saved files. */
   file: string;
 }
 
@@ -29,7 +29,7 @@ export class FigurePanel {
   #shared: Shared;
   readonly #listen: (plot: uPlot) => void;
 
-  /** `listen` is called with each plot that is made. */
+  /** `listen` is called with each new plot. */
   constructor(figure: Figure, shared: Shared, listen: (plot: uPlot) => void) {
     this.host = element("section", { class: "plot", id: `plot-${figure.id}` });
     this.#listen = listen;
@@ -39,7 +39,10 @@ export class FigurePanel {
     this.#make();
   }
 
-  /** Shows another motion's figure in the same place: in the same plots, if it has the same lines. Returns whether it is so. */
+  /**
+   * Shows the figure of another motion in the same plots if it has the same lines. Returns true if
+   * it does.
+   */
   update(figure: Figure, shared: Shared): boolean {
     const arranged = arrange(figure);
     const marks = marksOf(shared.marked);
@@ -74,7 +77,7 @@ export class FigurePanel {
     for (const { plot } of this.plots) this.#listen(plot);
   }
 
-  // The constants, and what is to be said of the figure.
+  // Shows the constants and the note of the figure.
   #say(): void {
     const said = sentences(this.#arranged.constants, this.#figure);
     const { note } = this.#figure;
@@ -89,7 +92,7 @@ export class FigurePanel {
   }
 }
 
-/** Breaks a sentence before its commas' second halves only: numbers stay with their units. */
+/** Allows line breaks only after commas: numbers stay with their units. */
 function spans(words: string): (Node | string)[] {
   const [first, ...rest] = words.split(", ");
   const whole = (text: string): HTMLElement => element("span", { class: "nowrap" }, text);

@@ -1,4 +1,4 @@
-/** The pictures of the 3-D view, a line on each, and what it shows: the legend is made of switches. */
+/** Pictures of the 3-D view with their captions, and the legend, which consists of switches. */
 import type { SceneData } from "../data";
 import { byId, element } from "../dom";
 import type { Picture } from "../scene/layers";
@@ -15,7 +15,7 @@ const TRAILS: Record<Trailed, string> = { "axis-1": "x axis", "axis-2": "y axis"
 
 export interface Legend {
   show: (picture: Picture) => void;
-  /** Another motion is shown, with captions of its own. */
+  /** Updates the captions for another motion. */
   update: (captions: SceneData["captions"]) => void;
 }
 
@@ -40,7 +40,8 @@ export function legend(view: View, first: SceneData["captions"]): Legend {
     filled = signature(view);
   };
   let filled = "";
-  // Room for the tallest of them: nothing is cut off, and the picture does not jump.
+  // Reserves space for the tallest caption, so that nothing is cut off and the picture does not
+  // move.
   const reserve = (): void => {
     const shown = view.picture;
     let [tall, long] = [0, 0];
@@ -94,7 +95,7 @@ export function legend(view: View, first: SceneData["captions"]): Legend {
       isRefilled = true;
     } else if (caption.textContent !== words) caption.textContent = words;
     else return;
-    // With the next frame, for which all is laid out anyway.
+    // In the next frame, in which the layout is computed in any case.
     cancelAnimationFrame(next);
     next = requestAnimationFrame(() => {
       if (isRefilled || caption.scrollHeight > caption.clientHeight) reserve();
@@ -104,7 +105,7 @@ export function legend(view: View, first: SceneData["captions"]): Legend {
   return { show, update };
 }
 
-/** What the legend shows, in short. */
+/** Returns a short key for the contents of the legend. */
 function signature({ layers, picture, trailed }: View): string {
   return `${picture} ${trailed} ${layers.filter(({ on }) => on[picture] !== undefined).map(({ id, label, on }) => `${id} ${label} ${on[picture]}`).join()}`;
 }
@@ -125,13 +126,13 @@ function fill(host: HTMLElement, view: View): void {
     const button = element("button", { type: "button", id: `layer-${layer.id}` }, swatch, layer.label);
     button.setAttribute("aria-pressed", String(layer.on[view.picture]));
     button.addEventListener("click", () => {
-      // The layer of the motion that is shown now.
+      // The layer of the current motion.
       const now = view.layers.find(({ id }) => id === layer.id);
       if (!now) return;
       view.toggle(now);
       button.setAttribute("aria-pressed", String(now.on[view.picture]));
     });
-    // The choice stays beside its switch.
+    // The choice stays next to its switch.
     host.append(layer.id === "trail" ? element("span", { class: "pair" }, button, trailChoice(host, view)) : button);
   }
 }

@@ -1,6 +1,6 @@
 /**
- * MathML from polhode, rebuilt element by element: only names and attributes of the lists below come into the page, whatever the text
- * holds. The parser's document is inert, and nothing of it is kept.
+ * MathML from polhode, rebuilt element by element. Only the listed names and attributes enter the
+ * page, whatever the text contains. The parser's document is inert and discarded.
  */
 const SPACE = "http://www.w3.org/1998/Math/MathML";
 
@@ -17,7 +17,7 @@ const ATTRIBUTES = new Set(
   ).split(" "),
 );
 
-/** Null if there is anything that is not plain MathML. */
+/** Returns the formula; null if it contains anything other than plain MathML. */
 export function safeMath(source: string): Element | null {
   const parsed = new DOMParser().parseFromString(source, "text/html").body;
   const [root, ...more] = [...parsed.children];

@@ -1,7 +1,8 @@
 /**
- * The plots beside the 3-D view. All show the same time: a line marks it, the pointer reads values, a click sets it. Dragging zooms all
- * plots, a double click shows everything again. Of a motion that takes the place of another, the plots that are seen are drawn at once,
- * the others when they come into sight or nothing else is to be done.
+ * Plots next to the 3-D view. All show the same time: a line marks it, the pointer reads values, a
+ * click sets it. Dragging zooms all plots, and a double click shows everything again. When a motion
+ * replaces another, visible plots are drawn immediately, and the others when they become visible or
+ * the page is idle.
  */
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
@@ -18,7 +19,7 @@ import { eventKey, phaseKey } from "./events";
 import { FigurePanel, type Shared } from "./figure-panel";
 import type { TimePlot } from "./time-plot";
 
-/** ms after the last change in which what is out of sight is drawn. */
+/** Delay after the last change until invisible plots are drawn, ms. */
 const QUIET = 300;
 
 export class Plots {
@@ -29,12 +30,12 @@ export class Plots {
   readonly #seen = new Set<Element>();
   readonly #watch: IntersectionObserver;
   #panels = new Map<string, FigurePanel>();
-  /** Figures that are not drawn yet, and whether the axis's path is none of them. */
+  /** Figures that are not drawn yet, and data of the path of the axis if it is not drawn yet. */
   readonly #waiting = new Map<FigurePanel, FigureMaker>();
   #axisWaits: { top: TopData; motion: Motion } | null = null;
   #shared: Shared;
   #axis: AxisPicture | null = null;
-  /** The sample under the pointer. */
+  /** Index of the sample under the pointer. */
   #hovered: number | null = null;
   #width = 0;
   #zooming = false;
@@ -78,7 +79,7 @@ export class Plots {
         if (panel) this.#waiting.set(panel, maker);
       }
       this.#axisWaits = page.top && { top: page.top, motion };
-      // After the frame of the 3-D view, which is not to wait for them.
+      // Runs after the frame of the 3-D view, which must not wait for the plots.
       cancelAnimationFrame(this.#next);
       this.#next = requestAnimationFrame(() => {
         this.#next = requestAnimationFrame(() => {
@@ -96,7 +97,7 @@ export class Plots {
     for (const { plot } of this.#plots()) plot.redraw(false);
   }
 
-  // All of it, from nothing.
+  // Builds everything again.
   #build(page: PageData, motion: Motion): void {
     this.#arrange([]);
     this.#seen.clear();
@@ -113,7 +114,7 @@ export class Plots {
     this.#watch.observe(this.#axis.host);
   }
 
-  // A panel for each of these figures, in their order: those that are there stay.
+  // Provides a panel for each of these figures, in their order. Existing panels stay.
   #arrange(makers: FigureMaker[]): void {
     const before = this.#panels;
     this.#panels = new Map();
@@ -131,7 +132,7 @@ export class Plots {
     }
   }
 
-  // After those that are there already.
+  // Adds a panel after the existing ones.
   #add(figure: Figure): FigurePanel {
     const panel = new FigurePanel(figure, this.#shared, (plot) => this.#listen(plot));
     const last = [...this.#panels.values()].at(-1)?.host;
@@ -153,7 +154,8 @@ export class Plots {
     if (this.#axis && this.#seen.has(this.#axis.host)) this.#drawAxis(this.#axis);
   }
 
-  // One after the other, so that none is waited for; while the tab is closed they are not drawn.
+  // Draws the remaining figures one by one, so that nothing waits for them. While the tab is closed
+  // they are not drawn.
   #drawRest(): void {
     const [panel] = this.#waiting.keys();
     if (this.#figures.offsetParent === null) return;
@@ -178,7 +180,7 @@ export class Plots {
     }
   }
 
-  // The path of another motion, in the place of the one before.
+  // Replaces the path of the axis by that of another motion.
   #drawAxis(before: AxisPicture): void {
     if (!this.#axisWaits) return;
     const { top, motion } = this.#axisWaits;
@@ -224,7 +226,7 @@ export class Plots {
     if (this.#hovered === null) this.#read();
   }
 
-  // Values at the pointer, else at the time of the 3-D view.
+  // Shows values at the pointer, else at the time of the 3-D view.
   #read(): void {
     const i = this.#hovered ?? this.#clock.index();
     for (const one of this.#plots()) one.read(i);

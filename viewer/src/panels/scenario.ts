@@ -1,4 +1,4 @@
-/** The scenario file as it was read, and what made the page. */
+/** The scenario file as it was read, and the command that made the page. */
 import type { PageData } from "../data";
 import { element } from "../dom";
 

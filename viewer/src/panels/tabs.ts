@@ -1,14 +1,14 @@
-/** Tabs as the ARIA practices have them: arrow keys move between them. */
+/** Tabs according to the ARIA practices: arrow keys move between them. */
 import { element } from "../dom";
 
 export interface Tab {
   id: string;
   title: string;
-  /** Fills the panel; what it returns brings it up to date. */
+  /** Fills the panel; the returned function updates it. */
   fill: (host: HTMLElement) => (() => void) | undefined;
 }
 
-/** A tab's panel is filled when it is first opened, and brought up to date while it is open. */
+/** Tabs. A panel is filled when it is first opened, and updated while it is open. */
 export class Tabs {
   readonly #bar: HTMLElement;
   readonly #panels: HTMLElement;
@@ -45,12 +45,12 @@ export class Tabs {
     this.open(all[0].id);
   }
 
-  /** The one that is open. */
+  /** The open tab. */
   get current(): string {
     return this.#open;
   }
 
-  /** Calls back when another one was opened. */
+  /** Registers a callback for a change of the open tab. */
   subscribe(listener: () => void): void {
     this.#listeners.push(listener);
   }
@@ -62,7 +62,7 @@ export class Tabs {
       const button = this.#bar.querySelector<HTMLButtonElement>(`#tab-${tab.id}`);
       button?.setAttribute("aria-selected", String(chosen));
       if (button) button.tabIndex = chosen ? 0 : -1;
-      // On a phone not all of them fit.
+      // On a phone not all tabs are visible.
       if (chosen && button && this.#bar.scrollWidth > this.#bar.clientWidth) button.scrollIntoView({ block: "nearest", inline: "nearest" });
       const panel = this.#panels.querySelector<HTMLElement>(`#panel-${tab.id}`);
       if (!panel) continue;
@@ -74,7 +74,7 @@ export class Tabs {
     for (const listener of this.#listeners) listener();
   }
 
-  /** What they show has changed. */
+  /** Updates the panels after a change of their contents. */
   refresh(): void {
     for (const id of this.#filled.keys()) {
       if (id === this.#open) this.#filled.get(id)?.();

@@ -1,4 +1,7 @@
-/** One plot over time: the lines of a stack, its key with readings, its axes, the time of the view and the events. */
+/**
+ * A plot over time: the lines of a stack, its legend with readings, its axes, the time of the view,
+ * and the events.
+ */
 import uPlot from "uplot";
 import { element } from "../dom";
 import { mark, number, powerOfTen } from "../format";
@@ -11,20 +14,20 @@ import { type Band, STRENGTH } from "../plot/phases";
 import { decades, extent, logRange, padded, ticks } from "../plot/scale";
 import { ink } from "../theme";
 
-/** Heights of the frame and of what is around it, px. */
+/** Heights of the frame and of the areas around it, px. */
 const FRAME = { alone: 126, stacked: 104 };
 const ABOVE = { plain: 6, lettered: 17 };
 const BELOW = { numbers: 20, title: 17, bare: 5 };
 const LEFT = 66;
 const LETTER = 11;
 
-/** Of points of a line, px. */
+/** Distance below which points of a line are merged, px. */
 const NEAR = 0.6;
 
 export interface Place {
-  /** With the letters of the events. */
+  /** True if the plot shows the letters of the events. */
   isFirst: boolean;
-  /** With the numbers of the time axis. */
+  /** True if the plot shows the numbers of the time axis. */
   isLast: boolean;
 }
 
@@ -43,7 +46,7 @@ export class TimePlot {
   readonly #events: HTMLElement[];
   readonly #readings: HTMLElement[];
   readonly #tag = element("span", { class: "tag", hidden: true });
-  /** By line: true if it is drawn as an envelope, and whether its samples resolve it. */
+  /** For each line: true if it is drawn as an envelope, and if its samples resolve it. */
   readonly #drawn: { enveloped: boolean; resolved: boolean }[];
 
   constructor(figure: Figure, stack: Stack, times: Float64Array, unit: { name: string; seconds: number }, marks: readonly Mark[], bands: readonly Band[], place: Place) {
@@ -79,7 +82,7 @@ export class TimePlot {
     this.plot.over.append(...this.#events, this.#now);
   }
 
-  /** Whether a stack of another motion can be shown in the same plot. */
+  /** Returns true if a stack of another motion can be shown in the same plot. */
   fits(figure: Figure, stack: Stack, unit: { name: string }, marks: readonly Mark[]): boolean {
     const { lines } = this.#stack;
     const like = (a: Line, b: Line): boolean => a.label === b.label && a.ink === b.ink && String(a.dash) === String(b.dash);
@@ -93,7 +96,7 @@ export class TimePlot {
     );
   }
 
-  /** Shows a stack that fits; what is zoomed to stays. */
+  /** Shows a stack that fits. The zoom stays. */
   update(figure: Figure, stack: Stack, times: Float64Array, marks: readonly Mark[], bands: readonly Band[]): void {
     const before = this.plot.data[0];
     const { min, max } = this.plot.scales.x;
@@ -128,7 +131,7 @@ export class TimePlot {
     this.mark();
   }
 
-  /** Puts the events at their times. */
+  /** Moves the events to their times. */
   mark(): void {
     const places = this.#marks.map(({ time }, k) => put(this.plot, this.#events[k], time));
     if (!this.#place.isFirst) return;
@@ -230,7 +233,7 @@ export class TimePlot {
     };
   }
 
-  // Behind everything.
+  // Draws bands behind everything else.
   #tint(u: uPlot): void {
     const { left, top, width, height } = u.bbox;
     const place = (time: number): number => Math.min(Math.max(u.valToPos(time, "x", true), left), left + width);
@@ -243,10 +246,13 @@ export class TimePlot {
     u.ctx.restore();
   }
 
-  /** Of the values between the ends of the time axis; what a run-away reaches at its end is left outside. */
+  /**
+   * Returns the range of the values between the ends of the time axis. The end of a diverging
+   * motion is outside.
+   */
   #range(u: uPlot, low: number | null, high: number | null): [number, number] {
     const { lines, range } = this.#stack;
-    // With the largest so far of what is left of them.
+    // Include the largest value before the visible interval.
     if (this.#figure.log) return logRange(lines, extent(lines.map(({ values }) => values), 0, u.series[0].idxs?.[1])?.[1] || (high ?? 1));
     if (range === null || low === null || high === null) return padded(range);
     const [from, to] = [Math.max(low, range[0]), Math.min(high, range[1])];
@@ -262,7 +268,7 @@ export class TimePlot {
     const level = before ? up(before) : Infinity;
     const starts = line.starts?.subarray(from, to + 1);
     const [stroke, fill] = [new Path2D(), new Path2D()];
-    // Asking the window for it costs more than a point.
+    // Reading this from the window costs more than drawing a point.
     const ratio = devicePixelRatio;
     const spans = this.#figure.log ? [] : envelopes(x, y, starts);
     if (!this.#figure.log && spans.length === 0) {
@@ -281,7 +287,7 @@ export class TimePlot {
     return { stroke, fill };
   }
 
-  /** What is an envelope, and what the samples do not resolve. */
+  /** Shows which lines are envelopes, and which the samples do not resolve. */
   #say(): void {
     const { lines } = this.#stack;
     const of = (wanted: (drawn: { enveloped: boolean; resolved: boolean }) => boolean): string =>
@@ -297,7 +303,7 @@ export class TimePlot {
   }
 }
 
-/** From a value to its place on the canvas, px of the page. */
+/** Returns the conversion from a value to a place on the canvas, px of the page. */
 function placeOn(u: uPlot, scale: "x" | "y", log: boolean): (value: number) => number {
   const { min, max } = u.scales[scale];
   const [low, high] = [min ?? 0, max ?? 1];
@@ -311,14 +317,14 @@ function placeOn(u: uPlot, scale: "x" | "y", log: boolean): (value: number) => n
   return (value) => from + (value - low) * factor;
 }
 
-/** The places of the values from one to another; NaN where there is none. */
+/** Converts values of an interval to places; NaN where there is none. */
 function placed(values: ArrayLike<number | null | undefined>, from: number, to: number, place: (value: number) => number): Float64Array {
   const out = new Float64Array(to - from + 1);
   for (let i = from; i <= to; i += 1) out[i - from] = place(values[i] ?? Number.NaN);
   return out;
 }
 
-/** A line through points, but for those that no eye tells from the one before. */
+/** Draws a line through points, without those that are indistinguishable from the previous one. */
 function trace(path: Path2D, x: ArrayLike<number>, y: ArrayLike<number>, starts: ArrayLike<number> | undefined, ratio: number): void {
   const last = y.length - 1;
   let [px, py] = [Number.NaN, Number.NaN];
@@ -337,7 +343,7 @@ function trace(path: Path2D, x: ArrayLike<number>, y: ArrayLike<number>, starts:
   }
 }
 
-/** Puts a line at a time; gives its distance from the left, px. */
+/** Moves a line to a time; returns its distance from the left, px. */
 function put(plot: uPlot, line: HTMLElement, time: number): number {
   const left = plot.valToPos(time, "x");
   line.style.transform = `translateX(${left.toFixed(1)}px)`;

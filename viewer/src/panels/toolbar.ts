@@ -1,4 +1,4 @@
-/** The transport: play, step, scrub, loop and speed. */
+/** Controls of the time: play, step, scrub, loop and speed. */
 import type { Clock } from "../clock";
 import { byId, icon } from "../dom";
 import { number, powerOfTen, timeUnit } from "../format";
@@ -11,7 +11,7 @@ export function toolbar(clock: Clock): void {
   const speed = byId("speed");
   scrub.step = "any";
   scrub.addEventListener("input", () => {
-    // Read before the clock tells this very control to show the old time.
+    // Read before the clock sets this control back to the old time.
     const time = Number(scrub.value);
     clock.pause();
     clock.set(time);
@@ -57,7 +57,7 @@ export function toolbar(clock: Clock): void {
   update();
 }
 
-/** ×0.3, ×2000, ×5×10⁶, ×10⁻¹² */
+/** Formats a speed: ×0.3, ×2000, ×5×10⁶, ×10⁻¹². */
 function factor(speed: number): string {
   if (speed >= 1e-3 && speed < 1e5) return `×${number(speed, 1)}`;
   const isPower = Number(speed.toExponential().split("e")[0]) === 1;

@@ -10,7 +10,7 @@ export function working(host: HTMLElement, blocks: ExplanationBlock[]): void {
 function draw(block: ExplanationBlock): HTMLElement {
   switch (block.kind) {
     case "heading":
-      // The page's own headings are above these.
+      // The page's own headings are one level higher.
       return element((["h2", "h3", "h4"] as const)[block.level - 1] ?? "h4", {}, block.text);
     case "text":
       return element("p", {}, block.text);
@@ -24,7 +24,7 @@ function draw(block: ExplanationBlock): HTMLElement {
       return box;
     }
     case "picture": {
-      // As a picture an SVG runs no script and asks for nothing.
+      // An SVG in an image element cannot run scripts or load anything.
       const src = `data:image/svg+xml,${encodeURIComponent(block.svg)}`;
       return element("figure", {}, element("img", { src, alt: block.text }));
     }

@@ -1,50 +1,50 @@
 /**
- * A figure's lines as they are shown: constants as text, the others in plots one below the other, so that none is squashed by a larger
- * one.
+ * Arrangement of a figure's lines: constants as text, and the others in plots one below the other,
+ * so that no line is squashed by a larger one.
  */
 import { number } from "../format";
 import type { Figure, Line } from "./lines";
 import { extent, type Unit, unitFor } from "./scale";
 
-/** A line that varies by less of its own size is constant. */
+/** Largest relative variation of a constant line. */
 const CONSTANT = 1e-6;
 
-/** A line that takes less of a plot's height is squashed. */
+/** Fraction of a plot's height below which a line counts as squashed. */
 const SQUASHED = 1 / 20;
 
-/** Plots of one figure. */
+/** Maximum number of plots of a figure. */
 const MOST_STACKS = 3;
 
-/** Values that vary by less of their size are shown less a round number. */
+/** Relative variation below which a round number is subtracted from the values. */
 const OFFSET = 2e-5;
 
-/** Angles over a wider range, °, are shown in turns. */
+/** Range above which angles are shown in turns, °. */
 const IN_TURNS = 1440;
 
 export interface Constant {
   symbol: string;
-  /** In the figure's unit. */
+  /** Value in the figure's unit. */
   value: number;
-  /** How far it varies, relative; absolute where the value is zero. */
+  /** Variation, relative; absolute for a value of zero. */
   drift: number;
-  /** There is but one sample, of which nothing says whether it stays. */
+  /** True if there is only one sample, which cannot show that the value is constant. */
   single: boolean;
 }
 
-/** Lines with an axis of their own. */
+/** Lines that share an axis. */
 export interface Stack {
-  /** Values are those of the axis: (value − offset) / unit. */
+  /** Lines with values of the axis: (value − offset) / unit. */
   lines: Line[];
   unit: Unit;
-  /** In `unit`. */
+  /** Offset, in `unit`. */
   offset: number;
   /** The offset as text: "c = −2.9431 J"; empty without one. */
   less: string;
-  /** Of the vertical axis: "ωx, ωy (rad/s)", "E − c (µJ)". */
+  /** Title of the vertical axis: "ωx, ωy (rad/s)", "E − c (µJ)". */
   title: string;
-  /** Figures of a reading: enough to tell a hundredth of the axis. */
+  /** Digits of a reading, enough to resolve a hundredth of the axis. */
   figures: number;
-  /** The range of the whole run. */
+  /** Range of the values over the whole run. */
   range: [number, number] | null;
 }
 
@@ -65,10 +65,10 @@ export function arrange(figure: Figure): Arranged {
   return { constants, stacks: groups.map((lines) => stackOf(lines, figure)) };
 }
 
-/** Null for a line that varies. */
+/** Returns the constant of a line; null for a line that varies. */
 export function constantOf({ symbol, values, drift }: Line, figure: Pick<Figure, "log" | "nothing" | "telling">): Constant | null {
   const range = extent([values], 0, figure.telling - 1);
-  // What is not there all the time is not constant.
+  // A line with gaps is not constant.
   if (range === null || !areFinite(values)) return null;
   const single = values.length === 1;
   const size = Math.max(Math.abs(range[0]), Math.abs(range[1]));
@@ -84,8 +84,9 @@ function areFinite(values: Float64Array): boolean {
 }
 
 /**
- * "ωx = ωy = 0", "T + U = 3.737 84 J, constant to 6.8×10⁻¹⁷": a line of text each, zeros in one. Of samples that may miss an oscillation
- * no more than what they are.
+ * Returns sentences such as "ωx = ωy = 0" or "T + U = 3.73784 J, constant to 6.8×10⁻¹⁷": one for
+ * each constant, and one for all zeros. If samples may miss an oscillation, the sentences only
+ * state the samples.
  */
 export function sentences(constants: readonly Constant[], { log, unit, aliased, quantity: name }: Pick<Figure, "log" | "unit" | "aliased" | "quantity">): string[] {
   const zeros = constants.filter(({ value }) => value === 0);
@@ -103,7 +104,7 @@ export function sentences(constants: readonly Constant[], { log, unit, aliased, 
   return words;
 }
 
-/** "3.737 84 mJ", "7.790 80×10⁻⁴ kg·m²/s", "30°"; no line breaks in it. */
+/** Formats a quantity without line breaks: "3.73784 mJ", "7.79080×10⁻⁴ kg·m²/s", "30°". */
 export function quantity(value: number, unit: string, figures: number): string {
   const fit = unitFor(unit, Math.abs(value));
   // A power of ten belongs to the number here.
@@ -111,7 +112,10 @@ export function quantity(value: number, unit: string, figures: number): string {
   return `${number(value / size, figures)}${name === "°" ? "" : "\u00a0"}${name}`;
 }
 
-/** Lines that share an axis, in order: a line goes to the first whose lines it does not squash, and which does not squash it. */
+/**
+ * Distributes lines over axes, in order. A line joins the first axis whose lines it does not
+ * squash, and which do not squash it.
+ */
 export function split(lines: readonly Line[], telling = Infinity): Line[][] {
   const ranges = new Map(lines.map((line) => [line, extent([line.values], 0, telling - 1)]));
   const span = (all: readonly Line[]): number => {
@@ -122,7 +126,7 @@ export function split(lines: readonly Line[], telling = Infinity): Line[][] {
     }
     return low <= high ? high - low : 0;
   };
-  // The part of the common range that the flattest line takes.
+  // Returns the fraction of the common range that the flattest line takes.
   const flattest = (all: readonly Line[]): number => {
     const common = span(all);
     return common > 0 ? Math.min(...all.map((line) => span([line]) / common)) : 1;
@@ -140,7 +144,7 @@ export function split(lines: readonly Line[], telling = Infinity): Line[][] {
   return groups;
 }
 
-/** Figures of a number in steps of `round`. */
+/** Returns the number of digits of a number in steps of `round`. */
 function digits(value: number, round: number): number {
   return Math.max(Math.floor(Math.log10(Math.abs(value))) - Math.round(Math.log10(round)) + 1, 1);
 }
@@ -158,7 +162,7 @@ function stackOf(lines: Line[], figure: Figure): Stack {
   const shifted = spread > 0 && spread < OFFSET * size;
   const turns = figure.unit === "°" && spread > IN_TURNS;
   const unit = turns ? { name: "turns", size: 360 } : unitFor(figure.unit, shifted ? spread : size);
-  // To the next digit above the spread.
+  // Round to the next digit above the spread.
   const round = 10 ** Math.ceil(Math.log10(spread / unit.size));
   const offset = shifted ? Math.floor(range[0] / unit.size / round) * round : 0;
   const less = offset === 0 ? "" : `c = ${quantity(offset * unit.size, figure.unit, digits(offset, round))}`;

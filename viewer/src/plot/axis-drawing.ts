@@ -1,6 +1,7 @@
 /**
- * The path of a top's axis: on the unit sphere, seen a little from above, and beside it unrolled, θ against φ. Near the vertical, where φ
- * means little, it is seen from above instead, with θ as the distance from the middle.
+ * Path of a top's axis: on the unit sphere, viewed a little from above, and next to it unrolled, θ
+ * against φ. Near the vertical, where φ is poorly defined, it is viewed from above instead, with θ
+ * as the distance from the centre.
  */
 import type { Vector } from "../attitude";
 import type { TopData } from "../data";
@@ -11,19 +12,19 @@ import { extent, padded, ticks } from "./scale";
 
 type Point = [number, number];
 
-/** Nearer to the vertical than this, rad, a path is not unrolled. */
+/** Inclination below which a path is not unrolled, rad. */
 const UPRIGHT = 0.09;
 
-/** The axis of θ is never shorter, °: of a steady precession it would be rounding. */
+/** Minimum length of the θ axis, °. For a steady precession the range would be rounding errors. */
 const LEAST = 0.01;
 
-/** Of the vertical beyond the sphere, in radii. */
+/** Length of the vertical line, in radii of the sphere. */
 const REACH = 1.2;
 
 const BOUND = { ink: "axis-1", width: 1.1, dash: [4, 3] };
 const TRACE = { ink: "ink", width: 1.7 };
 
-/** A drawing, and where the axis is in it at a time: null if that is outside. */
+/** A drawing, and the function for the place of the axis in it at a time: null outside. */
 export interface View {
   marks: Mark[];
   place: (point: Vector, time: number) => Point | null;
@@ -33,16 +34,16 @@ export function isUpright({ bounds: [least, most] }: AxisPath): boolean {
   return !(least > UPRIGHT && most < Math.PI - UPRIGHT);
 }
 
-/** The sphere with the path on it, what is behind it faint. */
+/** Draws the sphere with the path on it; parts behind the sphere are faint. */
 export function onSphere(path: AxisPath, top: TopData, box: Box): View {
   const [least, most] = path.bounds;
   const hangs = least + most > Math.PI;
   const sense = hangs ? -1 : 1;
-  // A path close round the vertical is seen from higher up.
+  // A path close to the vertical is viewed from higher up.
   const height = sense * (most < 0.35 || least > Math.PI - 0.35 ? 0.9 : 0.4);
   const sum = path.points.reduce((a, e) => [a[0] + e[0], a[1] + e[1], a[2] + e[2]] as Vector, [0, 0, 0] as Vector);
   const level = Math.hypot(dot(sum, top.across[0]), dot(sum, top.across[1]));
-  // From where a path that goes all round begins, else from its side.
+  // The view is from the beginning of a path that goes all round, else from its side.
   const from = level > 0.2 * path.points.length ? sum : path.points[0];
   const toward = directionOf(Math.PI / 2 - height, anglesOf(from, top).phi, top);
   const right = unit(cross(top.up, toward));
@@ -69,7 +70,7 @@ export function onSphere(path: AxisPath, top: TopData, box: Box): View {
   return { marks, place: (point) => at(point) };
 }
 
-/** θ against φ, up upward, from one point of the path to another. */
+/** Draws θ against φ, with up upward, from one point of the path to another. */
 export function unrolled(path: AxisPath, top: TopData, [first, last]: [number, number], box: Box): View {
   const frame = { left: box.left + 52, top: box.top + 8, width: box.width - 64, height: box.height - 48 };
   const degrees = (angle: number): number => (angle * 180) / Math.PI;
@@ -99,7 +100,7 @@ export function unrolled(path: AxisPath, top: TopData, [first, last]: [number, n
   if (first === 0) marks.push(start(points[0]));
   marks.push({ kind: "text", at: [frame.left + frame.width / 2, bottom + 34], text: "azimuth of the axis (°)", anchor: "middle", ink: "quiet", size: 11.5 });
   marks.push({ kind: "text", at: [box.left + 11, frame.top + frame.height / 2], text: "angle from the vertical (°)", anchor: "middle", ink: "quiet", size: 11.5, upright: true });
-  // φ goes on beyond a turn: its turn is that of the path at the same time.
+  // φ is continuous beyond a turn: whole turns are those of the path at the same time.
   const place = (point: Vector, time: number): Point | null => {
     if (time < path.times[first] || time > path.times[last]) return null;
     const here = anglesOf(point, top);
@@ -109,7 +110,7 @@ export function unrolled(path: AxisPath, top: TopData, [first, last]: [number, n
   return { marks, place };
 }
 
-/** θ as the distance from the middle, φ round it; from below what hangs. */
+/** Draws θ as the distance from the centre, with φ around it; from below for a hanging body. */
 export function fromAbove(path: AxisPath, top: TopData, box: Box): View {
   const [least, most] = path.bounds;
   const hangs = least + most > Math.PI;
@@ -130,7 +131,8 @@ export function fromAbove(path: AxisPath, top: TopData, box: Box): View {
   for (const bound of path.bounds) if (away(bound) > 1e-9) marks.push({ kind: "path", d: ring(center, (scale * away(bound) * 180) / Math.PI), ...BOUND });
   const points = path.theta.map((theta, k) => at(theta, path.phi[k]));
   marks.push({ kind: "path", d: through(points), ...TRACE }, start(points[0]));
-  // Along a line that no grid is on; of numbers too close together the inner ones stay out.
+  // The numbers are along a line between the grid lines. If they are too close together, inner ones
+  // are omitted.
   let free = Infinity;
   for (const value of rings.values.filter((v) => v > 0).reverse()) {
     const r = scale * value;
@@ -151,7 +153,7 @@ function start(at: Point): Mark {
   return { kind: "path", d: ring(at, 3), fill: "axis-2" };
 }
 
-/** The runs of points that are wanted. */
+/** Returns the runs of points that fulfil a condition. */
 function parts(points: Vector[], wanted: (v: Vector) => boolean): Vector[][] {
   const out: Vector[][] = [];
   points.forEach((point, k) => {

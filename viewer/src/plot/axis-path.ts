@@ -1,4 +1,4 @@
-/** The path of a top's axis in space: θ from the vertical, φ round it. */
+/** Path of a top's axis in space: θ from the vertical, φ around it. */
 import { rotate, type Vector } from "../attitude";
 import { indexAt } from "../clock";
 import type { TopData } from "../data";
@@ -6,40 +6,44 @@ import { at, type Motion } from "../motion";
 import { extrema } from "./envelope";
 import { extent } from "./scale";
 
-/** From one point of the path to the next, rad. */
+/** Angle between points of the path, rad. */
 const FINE = 0.03;
 
-/** The axis may go so far from a sample to the next, rad. */
+/** Largest angle of the axis between samples that can be interpolated, rad. */
 const FOLLOWED = Math.PI / 2;
 
-/** So far, in parts of the range of θ, the way between samples may leave what they and the closed form reach. */
+/**
+ * Largest excess of the interpolated path over the range of samples and closed form, relative to
+ * the range of θ.
+ */
 const BEYOND = 0.02;
 
-/** rad; less is not seen. */
+/** Excess that is invisible in any case, rad. */
 const ROUNDED = 1e-4;
 
-/** What is less between the least and the greatest θ is rounding, rad. */
+/** Difference between the greatest and the least θ that counts as rounding, rad. */
 const NOTHING = 1e-9;
 
 export interface AxisPath {
-  /** s; each point's. */
+  /** Times of the points, s. */
   times: number[];
   points: Vector[];
-  /** rad; φ goes on beyond a turn. */
+  /** Angles, rad; φ is continuous beyond a turn. */
   theta: number[];
   phi: number[];
-  /** The least and the greatest θ: those of the closed form, else those of the path. */
+  /** Least and greatest θ: those of the closed form, else those of the path. */
   bounds: [number, number];
 }
 
 type Path = AxisPath | { turn: number } | { beyond: number };
 
-/** The 3-D view and the plots ask for the same. */
+/** Cache, because the 3-D view and the plots need the same path. */
 const known = new WeakMap<TopData, { motion: Motion; path: Path }>();
 
 /**
- * With points between samples that are far apart. Where samples do not say how the axis goes between them: its largest turn from one to
- * the next, or how far θ would leave its bounds, rad.
+ * Computes the path, with additional points between samples. If samples do not determine the axis
+ * between them, the result is instead its largest angle between samples, or the excess of θ over
+ * its bounds, rad.
  */
 export function axisPath(motion: Motion, top: TopData): Path {
   const last = known.get(top);
@@ -76,7 +80,7 @@ function find(motion: Motion, top: TopData): Path {
   return beyond > BEYOND * (most - least) + ROUNDED ? { beyond } : path;
 }
 
-/** φ of the path, which goes on beyond a turn. */
+/** Returns φ of the path, continuous beyond a turn. */
 export function azimuthAt({ times, phi }: AxisPath, time: number): number {
   const i = indexAt(times, time);
   const j = Math.min(i + 1, times.length - 1);
@@ -94,7 +98,10 @@ export function directionOf(theta: number, phi: number, { up, across }: TopData)
   return [0, 1, 2].map((k) => s * (Math.cos(phi) * across[0][k] + Math.sin(phi) * across[1][k]) + c * up[k]) as Vector;
 }
 
-/** Pieces of so many nutations each, by the indices of their ends: more could not be told apart. */
+/**
+ * Divides the path into pieces of `nutations` nutations each, by the indices of their ends. More
+ * could not be distinguished.
+ */
 export function pieces({ theta, bounds }: AxisPath, nutations: number): [number, number][] {
   const end = theta.length - 1;
   if (bounds[1] - bounds[0] <= NOTHING) return [[0, end]];
@@ -105,14 +112,14 @@ export function pieces({ theta, bounds }: AxisPath, nutations: number): [number,
     out.push([from, turns[k]]);
     from = turns[k];
   }
-  // What is left is shown with the nutations before it.
+  // The remainder is shown together with the nutations before it.
   if (out.length > 0 && from < end) out.push([Math.min(from, turns.at(-1 - 2 * nutations) ?? from), end]);
   return out.length > 0 ? out : [[0, end]];
 }
 
 interface Tip {
   e: Vector;
-  /** ω × e, 1/s */
+  /** Rate ω × e, 1/s. */
   rate: Vector;
 }
 
@@ -123,7 +130,7 @@ function tip(motion: Motion, { axis }: TopData, i: number): Tip {
   return { e, rate: [w[1] * e[2] - w[2] * e[1], w[2] * e[0] - w[0] * e[2], w[0] * e[1] - w[1] * e[0]] };
 }
 
-/** Hermite's cubic through both with their velocities, on the sphere. */
+/** Interpolates by Hermite's cubic through both points with their velocities, on the sphere. */
 function between(a: Tip, b: Tip, h: number, s: number): Vector {
   const u = 1 - s;
   const p = [0, 1, 2].map((k) => {

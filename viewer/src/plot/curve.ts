@@ -1,19 +1,22 @@
-/** A line as what is drawn of it, in pixels: the same on the canvas and in files. */
+/** Drawn form of a line, in pixels: the same on the canvas and in files. */
 import { envelopes, type Span } from "./envelope";
 
 export type Point = [number, number];
 
 export interface Curve {
   strokes: Point[][];
-  /** Filled, faintly: from the lower edge of an envelope back along the upper one. */
+  /**
+   * Bands that are filled faintly: along the lower edge of an envelope and back along the upper
+   * one.
+   */
   bands: Point[][];
-  /** Each a sample. */
+  /** Single samples. */
   dots: Point[];
-  /** False where the samples do not resolve the oscillation. */
+  /** False if the samples do not resolve the oscillation. */
   resolved: boolean;
 }
 
-/** A line through points; where it would be stripes its envelope. */
+/** Makes a line through points, or its envelope where the line would fill the plot with stripes. */
 export function curve(x: ArrayLike<number>, y: ArrayLike<number>, starts?: ArrayLike<number>, spans: Span[] = envelopes(x, y, starts)): Curve {
   const made: Curve = { strokes: [], bands: [], dots: [], resolved: true };
   let stroke: Point[] = [];
@@ -39,7 +42,10 @@ export function curve(x: ArrayLike<number>, y: ArrayLike<number>, starts?: Array
   return made;
 }
 
-/** Dots, and a line for the largest value so far, that `before` the first point included: in pixels y falls as the value grows. */
+/**
+ * Makes dots, and a line for the largest value so far, including `before` the first point. In
+ * pixels, y decreases as the value grows.
+ */
 export function largestSoFar(x: ArrayLike<number>, y: ArrayLike<number>, before = Infinity): Curve {
   const stroke: Point[] = [];
   const dots: Point[] = [];

@@ -1,10 +1,10 @@
-/** A drawing as a list of marks, and what becomes of it: elements of the page, or the text of an SVG file. */
+/** Drawings as lists of marks, converted to elements of the page or to the text of an SVG file. */
 
 export type Mark =
   | { kind: "path"; d: string; ink?: string; width?: number; dash?: number[] | undefined; fill?: string; opacity?: number; box?: Box }
   | { kind: "text"; at: [number, number]; text: string; anchor?: "start" | "middle" | "end"; ink?: string; size?: number; upright?: boolean; halo?: boolean };
 
-/** What is outside is cut off. */
+/** A clipping rectangle. */
 export interface Box {
   left: number;
   top: number;
@@ -12,12 +12,12 @@ export interface Box {
   height: number;
 }
 
-/** From the name of a colour in theme.css. */
+/** Returns the colour for a name in theme.css. */
 export type Colours = (ink: string) => string;
 
 export const onScreen: Colours = (ink) => `var(--${ink})`;
 
-/** The light theme's colours, whatever the screen shows: for paper. */
+/** Returns colours of the light theme for printing, whatever the theme of the screen. */
 export const onPaper: Colours = (ink) => PAPER[ink] ?? "#000000";
 
 const PAPER: Record<string, string> = {
@@ -33,7 +33,7 @@ const PAPER: Record<string, string> = {
   paper: "#ffffff",
 };
 
-/** A file's text, black on white. */
+/** Returns the text of an SVG file, black on white. */
 export function svgText(marks: readonly Mark[], width: number, height: number): string {
   const all = marks.map((mark) => {
     const { tag, attributes, text } = described(mark, onPaper);
@@ -47,7 +47,7 @@ export function svgText(marks: readonly Mark[], width: number, height: number): 
   );
 }
 
-/** The same as elements, in the theme's colours. */
+/** Returns the marks as elements, in the theme's colours. */
 export function svgElements(marks: readonly Mark[]): SVGElement[] {
   return marks.map((mark) => {
     const { tag, attributes, text } = described(mark, onScreen);
@@ -58,12 +58,14 @@ export function svgElements(marks: readonly Mark[]): SVGElement[] {
   });
 }
 
-/** About as wide as it will be, px: how wide depends on the font of whoever opens the file. */
+/**
+ * Estimates the width of a text, px. The true width depends on the font on the reader's machine.
+ */
 export function textWidth(text: string, size: number): number {
   return 0.58 * size * [...text].length;
 }
 
-/** Lines no wider than `width`, px; a word that is wider is broken. */
+/** Splits a text into lines no wider than `width`, px; a wider word is broken. */
 export function wrapped(text: string, width: number, size = 12.5): string[] {
   const most = Math.max(Math.floor(width / textWidth("0", size)), 1);
   const out: string[] = [];
@@ -83,7 +85,7 @@ export function wrapped(text: string, width: number, size = 12.5): string[] {
   return [...out, row].filter((line) => line !== "");
 }
 
-/** A polyline. */
+/** Returns the path of a polyline. */
 export function through(points: readonly (readonly [number, number])[]): string {
   return points.map(([x, y], k) => `${k === 0 ? "M" : "L"}${round(x)} ${round(y)}`).join("");
 }
@@ -110,7 +112,7 @@ function described(mark: Mark, colours: Colours): { tag: string; attributes: Rec
   return { tag: "text", attributes, text };
 }
 
-// An inner picture cuts off what is outside it.
+// An inner SVG clips its contents.
 function boxed(mark: Mark, written: string): string {
   if (mark.kind !== "path" || !mark.box) return written;
   const { left, top, width, height } = mark.box;

@@ -1,38 +1,42 @@
 /**
- * Where a line turns so often that it would fill its plot with stripes: there its envelope is drawn, the local least and greatest. Places
- * are in pixels, so that zooming in brings the line back.
+ * Envelopes. Where a line oscillates so often that it would fill its plot with stripes, its
+ * envelope is drawn: the local minima and maxima. Places are in pixels, so that zooming in restores
+ * the line.
  */
 
 import { indexAt } from "../clock";
 import { extent } from "./scale";
 
-/** Neighbouring extrema nearer than this, px, are stripes. */
+/** Distance of neighbouring extrema below which a line counts as stripes, px. */
 export const NEAREST = 6;
 
-/** Turns of fewer pixels do not count. */
+/** Smallest oscillation that counts, px. */
 const LEAST_SWING = 3;
 
-/** With fewer samples from an extremum to the next the samples do not say how the line goes. */
+/** Least number of samples between extrema for a resolved line. */
 const RESOLVED = 2.5;
 
-/** So many swings make a span; fewer are drawn as they are. */
+/** Number of swings that make a span. Fewer are drawn as they are. */
 const FEWEST = 8;
 
-/** From one point to another of a line, its envelope: the edges through its least and its greatest. */
+/** Envelope of a line between two of its points: the edges through its minima and maxima. */
 export interface Span {
   first: number;
   last: number;
   low: [number, number][];
   high: [number, number][];
-  /** False where the samples do not resolve the oscillation: the edges are then the range of the samples. */
+  /**
+   * False if the samples do not resolve the oscillation. The edges are then the range of the
+   * samples.
+   */
   resolved: boolean;
 }
 
-/** Extrema of y from `first` to `last`, each at least `swing` from the next. */
+/** Returns the extrema of y from `first` to `last`, each at least `swing` from the next. */
 export function extrema(y: ArrayLike<number>, first: number, last: number, swing: number): number[] {
   const found: number[] = [];
   let [low, high] = [first, first];
-  // 1: rising, −1: falling, 0: it has not moved yet.
+  // Direction: 1 rising, −1 falling, 0 unknown yet.
   let sense = 0;
   for (let i = first + 1; i <= last; i += 1) {
     if (y[i] > y[high]) high = i;
@@ -48,7 +52,10 @@ export function extrema(y: ArrayLike<number>, first: number, last: number, swing
   return found;
 }
 
-/** The spans of a line that are drawn as envelopes; points that are not finite, and those in `starts`, break it. */
+/**
+ * Returns the spans of a line that are drawn as envelopes. Points that are not finite, and those in
+ * `starts`, interrupt it.
+ */
 export function envelopes(x: ArrayLike<number>, y: ArrayLike<number>, starts?: ArrayLike<number>): Span[] {
   const spans: Span[] = [];
   for (let first = 0; first < y.length; ) {
@@ -81,7 +88,7 @@ function envelopesOfPiece(x: ArrayLike<number>, y: ArrayLike<number>, first: num
     let end = k;
     while (end < swings && dense(end)) end += 1;
     if (end - k >= FEWEST) {
-      // To the end of the line, where that is within a swing.
+      // Extend to the end of the line if that is within a swing.
       const from = k === 0 && x[at[0]] - x[first] < 2 * NEAREST ? first : at[k];
       const to = end === swings && x[last] - x[at[end]] < 2 * NEAREST ? last : at[end];
       spans.push(span(x, y, at, k, end, from, to));
@@ -91,7 +98,10 @@ function envelopesOfPiece(x: ArrayLike<number>, y: ArrayLike<number>, first: num
   return spans;
 }
 
-/** Of the swings from `k` to `end`: through the extrema; where the samples miss them, through the range of several swings. */
+/**
+ * Makes the span of the swings from `k` to `end`, through the extrema; if the samples miss these,
+ * through the range of several swings.
+ */
 function span(x: ArrayLike<number>, y: ArrayLike<number>, at: number[], k: number, end: number, first: number, last: number): Span {
   const made: Span = { first, last, low: [], high: [], resolved: samplesPerSwing(y, first, last) >= RESOLVED };
   if (!made.resolved) {
@@ -109,9 +119,10 @@ function span(x: ArrayLike<number>, y: ArrayLike<number>, at: number[], k: numbe
   const isHigh = (j: number): boolean => y[turns[j]] > y[turns[j === 0 ? 1 : j - 1]];
   for (const [edge, sense] of [[made.low, -1], [made.high, 1]] as const) {
     const own = turns.filter((_, j) => isHigh(j) === sense > 0);
-    // The first point of a line may lie between extrema: it is none.
+    // The first point of a line may be between extrema. It is not an extremum then.
     if (own.length > 2 && own[0] === first) own.shift();
-    // Before the first extremum and after the last the line may go farther: its last swing has not turned back.
+    // The line may go farther before the first extremum and after the last, because its last swing
+    // has not reversed.
     const [head, tail] = [farthest(y, first, own[0], sense), farthest(y, own[own.length - 1], last, sense)];
     if (head !== own[0]) own.unshift(head);
     if (tail !== own[own.length - 1]) own.push(tail);
@@ -122,7 +133,7 @@ function span(x: ArrayLike<number>, y: ArrayLike<number>, at: number[], k: numbe
   return made;
 }
 
-/** The greatest of y from one sample to another, or with −1 the least. */
+/** Returns the index of the greatest y in an interval, or of the least for −1. */
 function farthest(y: ArrayLike<number>, from: number, to: number, sense: 1 | -1): number {
   let found = from;
   for (let i = from; i <= to; i += 1) if (sense * y[i] > sense * y[found]) found = i;
@@ -130,8 +141,11 @@ function farthest(y: ArrayLike<number>, from: number, to: number, sense: 1 | -1)
 }
 
 /**
- * The extremum near sample i, which is the farthest of three: of the sine y = m + A cos(h k − d) through them,
- * A sin d = (y₊ − y₋)/(2 sin h), A cos d = (2 y₀ − y₊ − y₋)/(2 (1 − cos h)). h is the mean of the swings around it.
+ * Estimates the extremum near sample i, the farthest of three samples, from the sine y = m + A
+ * cos(h k − d) through them:
+ *
+ * A sin d = (y₊ − y₋)/(2 sin h), A cos d = (2 y₀ − y₊ − y₋)/(2 (1 − cos h)). h is the mean of the
+ * surrounding swings.
  */
 function vertex(y: ArrayLike<number>, i: number, first: number, last: number, at: number[], sense: 1 | -1): number {
   const [before, after] = [sense * (y[i] - y[i - 1]), sense * (y[i] - y[i + 1])];
@@ -144,7 +158,10 @@ function vertex(y: ArrayLike<number>, i: number, first: number, last: number, at
   return y[i] + sense * (Math.hypot(sine, cosine) - cosine);
 }
 
-/** Whatever the scale: swings of a fiftieth of the range count. */
+/**
+ * Returns the number of samples per swing, for swings of at least a fiftieth of the range,
+ * independent of the scale.
+ */
 function samplesPerSwing(y: ArrayLike<number>, first: number, last: number): number {
   let [low, high] = [Infinity, -Infinity];
   for (let i = first; i <= last; i += 1) {

@@ -1,8 +1,8 @@
-/** What happened on the way, by name: each name has a letter, so that no text stands over a curve. */
+/** Events by name. Each name has a letter, so that no text covers a curve. */
 export interface Marked {
   letter: string;
   name: string;
-  /** Ascending. */
+  /** Times, ascending, s. */
   times: number[];
 }
 
@@ -24,7 +24,10 @@ export function marksOf(all: readonly Marked[]): Mark[] {
   return all.flatMap(({ letter, times }) => times.map((time) => ({ letter, time }))).sort((a, b) => a.time - b.time);
 }
 
-/** What stands at each of some places, px, in ascending order: letters that would overprint stand together, at the first place. */
+/**
+ * Returns the text at each of some places, px, in ascending order. Letters that would overlap are
+ * combined at the first place.
+ */
 export function labels(places: readonly number[], letters: readonly string[], width: number): string[] {
   const out = letters.map(() => "");
   let first = -1;
@@ -32,7 +35,7 @@ export function labels(places: readonly number[], letters: readonly string[], wi
     const right = first < 0 ? -Infinity : places[first] + (width * out[first].length) / 2;
     if (place - width / 2 >= right) first = k;
     if (!out[first].includes(letters[k])) out[first] = `${out[first]}${letters[k]}`.slice(0, 4);
-    // More than three do not fit.
+    // More than three letters do not fit.
     if (out[first].length > 3) out[first] = `${out[first].slice(0, 2)}…`;
   });
   return out;

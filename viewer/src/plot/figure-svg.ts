@@ -1,4 +1,7 @@
-/** A figure as an SVG file: the same constants, stacks, envelopes and letters as on the screen, for paper. */
+/**
+ * A figure as an SVG file for printing, with the same constants, stacks, envelopes and letters as
+ * on the screen.
+ */
 import { mark, number, powerOfTen, timeUnit } from "../format";
 import { type Arranged, sentences, type Stack } from "./arrange";
 import { curve, largestSoFar } from "./curve";
@@ -12,10 +15,10 @@ const WIDTH = 640;
 const FRAME = { left: 76, right: 16, alone: 262, stacked: 150 };
 const INNER = WIDTH - FRAME.left - FRAME.right;
 const LINE = 18;
-/** Of notes, px. */
+/** Font size of notes, px. */
 const SMALL = 11.5;
 
-/** From `from` to `to`, s: what is zoomed to. */
+/** Makes the file of a figure from `from` to `to`, s, the zoomed interval. */
 export function svgOf(
   figure: Figure,
   { constants, stacks }: Arranged,
@@ -87,7 +90,10 @@ export function svgOf(
   return svgText(marks, WIDTH, top + 14);
 }
 
-/** Swatches with the lines' names, and what is taken off the values, in as many rows as they need; gives the last one's height. */
+/**
+ * Draws swatches with the lines' names and the subtracted offset, in as many rows as necessary;
+ * returns the height of the last row.
+ */
 function key(marks: Mark[], stack: Stack, y: number): number {
   let left = FRAME.left;
   const place = (wide: number): number => {
@@ -110,7 +116,7 @@ function key(marks: Mark[], stack: Stack, y: number): number {
   return y;
 }
 
-/** The lines in a frame of this height, and what is said of them: which is an envelope. */
+/** Draws the lines in a frame of this height, and returns which of them are envelopes. */
 function curvesOf(
   { log, unit, telling }: Figure,
   stack: Stack,
@@ -120,12 +126,12 @@ function curvesOf(
   height: number,
 ): { said: string; height: number; draw: (marks: Mark[], box: Box) => void } {
   const values = stack.lines.map((line) => line.values);
-  // With the largest so far of what is left of them.
+  // Include the largest value before the visible interval.
   const seen = extent(values, log ? 0 : first, Math.min(last, telling - 1));
   const full = stack.range ?? [0, 1];
   const [low, high] = log ? logRange(stack.lines, seen?.[1] || 1) : padded(seen, 1e-3 * (full[1] - full[0]));
   const level = log ? Math.log10 : (v: number): number => v;
-  // From the lower edge of the frame, px.
+  // Height above the lower edge of the frame, px.
   const y = (v: number): number => -((level(v) - level(low)) / (level(high) - level(low))) * height;
   const curves = stack.lines.map(({ values, ink, dash, starts, symbol }) => {
     const along = times.subarray(first, last + 1).map(x);

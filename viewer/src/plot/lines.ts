@@ -1,38 +1,44 @@
-/** What is drawn over time. */
+/** A line over time. */
 export interface Line {
-  /** On an axis: ω, T + U. */
+  /** Symbol for axes, such as ω or T + U. */
   symbol: string;
-  /** In the key: θ nutation. */
+  /** Label in the legend, such as "θ nutation". */
   label: string;
-  /** A custom property of theme.css without its dashes. */
+  /** Name of a custom property of theme.css without its dashes. */
   ink: string;
-  /** One for each sample, in the figure's unit; NaN where there is none. */
+  /** Values, one for each sample, in the figure's unit; NaN where there is none. */
   values: Float64Array;
   dash?: number[];
-  /** On an axis of its own. */
+  /** True if the line has an axis of its own. */
   alone?: boolean;
-  /** 1 where the line does not go on from the sample before. */
+  /** 1 where the line does not continue from the previous sample. */
   starts?: Uint8Array;
-  /** How far the balance of the same quantity fails at the worst sample, relative. */
+  /** Largest error of the balance of the same quantity, relative. */
   drift?: number;
 }
 
-/** Lines of one quantity. */
+/** A figure: lines of one quantity. */
 export interface Figure {
   id: string;
   title: string;
-  /** What an axis with several lines shows. */
+  /** Quantity of an axis with several lines. */
   quantity: string;
   unit: string;
-  /** Logarithmic: a dot for each sample, a line for the largest so far. Zero has no place. */
+  /**
+   * True for a logarithmic scale, with a dot for each sample and a line for the largest value so
+   * far. Zeros are omitted.
+   */
   log: boolean;
-  /** So many samples say how large the values are: a motion that runs away leaves the plot at its end. */
+  /**
+   * Number of samples that determine the size of the values. A diverging motion leaves the plot at
+   * its end.
+   */
   telling: number;
-  /** What is smaller is zero but for rounding. */
+  /** Threshold below which values are rounding errors. */
   nothing: number;
-  /** The samples may miss what oscillates. */
+  /** True if the samples may miss oscillations. */
   aliased: boolean;
   lines: Line[];
-  /** What is not drawn, and why. */
+  /** Note on omitted parts and the reason. */
   note?: string;
 }

@@ -1,14 +1,14 @@
-/** Bands behind the curves: what slides and what flies; what rolls is left plain. */
+/** Bands behind the curves for sliding and flying; rolling has none. */
 import type { Phase } from "../contact";
 
 export interface Band {
   from: number;
   to: number;
-  /** A custom property of theme.css without its dashes. */
+  /** Name of a custom property of theme.css without its dashes. */
   ink: string;
 }
 
-/** Part of the ink that is laid over the paper. */
+/** Opacity of the ink over the paper. */
 export const STRENGTH = 0.13;
 
 const INKS: Record<string, string> = { sliding: "torque", flying: "axis-1" };
@@ -22,7 +22,10 @@ export interface PhaseWords {
   text: string;
 }
 
-/** "sliding until t = 1.2 s", "rolling: 3 times, 4.1 s in all": each of them once; `say` writes a time with its unit. */
+/**
+ * Describes each phase once: "sliding until t = 1.2 s", "rolling: 3 times, 4.1 s in all". `say`
+ * formats a time with its unit.
+ */
 export function words(phases: readonly Phase[], say: (seconds: number) => string): PhaseWords[] {
   return [...new Set(phases.map(({ name }) => name))].map((name) => {
     const own = phases.filter((phase) => phase.name === name);

@@ -1,11 +1,14 @@
-/** Few colours for many: the fixed ones, and the means of boxes that the others are cut into where they vary most. */
+/**
+ * Colour quantisation: the fixed colours, and the means of boxes into which the others are divided
+ * where they vary most.
+ */
 
-/** 0xrrggbb */
+/** Colour as 0xrrggbb. */
 export type Colour = number;
 
-/** Pixels of a picture that are looked at. */
+/** Number of pixels sampled in a picture. */
 const SAMPLED = 100_000;
-/** Bits of a channel by which colours are told apart. */
+/** Number of bits of a channel that distinguish colours. */
 const BITS = 6;
 const UNKNOWN = 0xffff;
 
@@ -17,7 +20,7 @@ interface Bin {
 interface Box {
   bins: Bin[];
   mean: number[];
-  /** Where it varies most, and the sum of squares there. */
+  /** Channel with the largest variation, and the sum of squares there. */
   channel: number;
   spread: number;
 }
@@ -25,10 +28,10 @@ interface Box {
 export class Colours {
   readonly all: Colour[];
   readonly #channels: number[][];
-  /** By the leading bits of a colour: which of all is nearest. */
+  /** Index of the nearest colour, by the leading bits of a colour. */
   readonly #nearest = new Uint16Array(1 << (3 * BITS)).fill(UNKNOWN);
 
-  /** At most `count` of them; pictures are bytes r g b a of each pixel. */
+  /** Chooses at most `count` colours; pictures are bytes r g b a of each pixel. */
   constructor(fixed: Colour[], pictures: Iterable<Uint8ClampedArray>, count: number) {
     this.all = [...fixed, ...cut(binned(pictures), count - fixed.length)];
     this.#channels = this.all.map(channels);
@@ -37,7 +40,7 @@ export class Colours {
     });
   }
 
-  /** For each pixel which colour it gets. */
+  /** Returns the index of the colour of each pixel. */
   index(picture: Uint8ClampedArray): Uint8Array {
     const found = new Uint8Array(picture.length / 4);
     for (let i = 0; i < found.length; i += 1) {
@@ -48,7 +51,7 @@ export class Colours {
     return found;
   }
 
-  // The same for all colours of a bin, whichever comes first: nothing flickers.
+  // All colours of a bin get the same result, whichever comes first, so that nothing flickers.
   #search(at: number): number {
     const middle = [2, 1, 0].map((c) => ((((at >> (c * BITS)) & ((1 << BITS) - 1)) + 0.5) * 256) / (1 << BITS));
     let [best, least] = [0, Infinity];
@@ -81,11 +84,14 @@ function binned(pictures: Iterable<Uint8ClampedArray>): Bin[] {
       else sums.set(at, [1, r, g, b]);
     }
   }
-  // Thin lines count for more than they cover.
+  // Thin lines get more weight than their area.
   return [...sums.values()].map(([count, ...rgb]) => ({ weight: Math.sqrt(count), rgb: rgb.map((x) => x / count) }));
 }
 
-/** Cuts the box that varies most at its mean, again and again. (P. Heckbert, Color image quantization for frame buffer display, 1982) */
+/**
+ * Repeatedly cuts the box that varies most at its mean. (P. Heckbert, Color image quantization for
+ * frame buffer display, 1982)
+ */
 function cut(bins: Bin[], count: number): Colour[] {
   const boxes = bins.length > 0 ? [boxOf(bins)] : [];
   while (boxes.length < count) {

@@ -1,4 +1,4 @@
-/** The dialog that saves the 3-D view: a picture, or a film of a part of the motion. */
+/** Dialog for saving the 3-D view: a picture, or a film of a part of the motion. */
 import type { Clock } from "../clock";
 import { byId, element } from "../dom";
 import { number, timeUnit } from "../format";
@@ -16,11 +16,11 @@ const FORMATS: Record<Format, { name: string; ending: string; rate: number }> = 
   zip: { name: "Frames: PNG in a ZIP", ending: "zip", rate: 30 },
 };
 
-/** How many times the size on the screen a picture has at first. */
+/** Default size of a picture relative to the screen. */
 const PRINT = 2;
-/** A GIF is as wide at first, px: it is the largest file for what it shows. */
+/** Default width of a GIF, px. GIF files are large for their content. */
 const GIF_WIDTH = 640;
-/** s of a film at first; of a longer run it is the beginning. */
+/** Default maximum duration of a film, s; of a longer run, it is the beginning. */
 const LONGEST = 60;
 
 export class SaveDialog {
@@ -44,13 +44,13 @@ export class SaveDialog {
   readonly #ofFilms: HTMLElement[];
   readonly #times = row("Time", labelled("from", this.#from), labelled("to", this.#to));
   readonly #dialog: HTMLDialogElement;
-  /** Fields that the person has filled in: no default comes over them. */
+  /** Fields that the user has filled in, which defaults do not overwrite. */
   readonly #own = new Set<HTMLElement>();
   #isPicture = true;
   #frames: Frames | null = null;
   #running: AbortController | null = null;
 
-  /** `title`: of the motion that is shown. */
+  /** `title`: title of the current motion. */
   constructor(view: View, clock: Clock, title: () => string) {
     this.#view = view;
     this.#clock = clock;
@@ -98,7 +98,7 @@ export class SaveDialog {
     this.#dialog.showModal();
   }
 
-  /** Another motion is shown: what is being saved of the one before ends. */
+  /** Handles the change to another motion. A recording of the previous one ends. */
   changed(): void {
     if (!this.#dialog.open) return;
     this.#measure();
@@ -108,7 +108,7 @@ export class SaveDialog {
   #measure(): void {
     const { start, end } = this.#clock;
     const unit = timeUnit(Math.max(Math.abs(end), Math.abs(start)));
-    // A time that the person has filled in is in the unit of before.
+    // A time that the user has entered is in the previous unit.
     if (unit.seconds !== this.#unit.seconds) for (const input of [this.#from, this.#to]) this.#own.delete(input);
     this.#unit = unit;
     rename(this.#times, `Time (${unit.name})`);
@@ -133,7 +133,7 @@ export class SaveDialog {
     put(this.#to, short(end / this.#unit.seconds));
     put(this.#speed, short(clock.speed));
     put(this.#rate, FORMATS[format].rate);
-    // Even: the colours of a film are those of two by two pixels.
+    // Even sizes, because films have colours for blocks of two by two pixels.
     put(this.#width, 2 * Math.round((part * width) / 2));
     put(this.#height, 2 * Math.round((part * height) / 2));
     const pictures = format === "png" || format === "zip";
@@ -145,13 +145,13 @@ export class SaveDialog {
 
   #changed(what: HTMLElement): void {
     if (what === this.#format) {
-      // A picture's size would be too much for a film.
+      // The size of a picture would be too large for a film.
       const isPicture = this.#format.value === "png";
       if (isPicture !== this.#isPicture) for (const input of [this.#width, this.#height]) this.#own.delete(input);
       this.#isPicture = isPicture;
       this.#defaults();
     } else this.#own.add(what);
-    // The height follows until it has its own.
+    // The height follows the width until the user has set it.
     if (what === this.#width && !this.#own.has(this.#height)) {
       const { width, height } = this.#shown;
       this.#height.value = String(Math.max(1, Math.round((this.#width.valueAsNumber * height) / width)) || "");
@@ -181,7 +181,7 @@ export class SaveDialog {
     };
   }
 
-  /** Says what it will be, or why it cannot be. */
+  /** Shows a description of the result, or the reason why it is impossible. */
   #judge(): void {
     const order = this.#order;
     const why = this.#refusal(order);
@@ -245,7 +245,7 @@ function nameOf({ format, width, height }: Order): string {
   return format === "png" ? `${width}x${height}` : format === "zip" ? "frames" : "film";
 }
 
-/** Without what rounding has left. */
+/** Removes rounding errors. */
 function short(value: number): number {
   return Number(value.toPrecision(12));
 }
@@ -262,7 +262,7 @@ function labelled(text: string, input: HTMLElement): HTMLElement {
   return element("label", {}, text, input);
 }
 
-/** A name and what belongs to it. */
+/** Creates a row with a name and its elements. */
 function row(name: string, ...parts: HTMLElement[]): HTMLElement {
   const [only] = parts;
   const isAlone = parts.length === 1 && only !== undefined && only.id !== "";

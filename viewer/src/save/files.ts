@@ -1,4 +1,4 @@
-/** Files that the page saves, and their names. */
+/** Saved files and their names. */
 
 export function save(name: string, content: Blob): void {
   const link = document.createElement("a");
@@ -12,7 +12,7 @@ export function saveSvg(name: string, svg: string): void {
   save(`${name}.svg`, new Blob([svg], { type: "image/svg+xml" }));
 }
 
-/** At three pixels to one. */
+/** Saves a PNG with three times the resolution. */
 export async function savePng(name: string, svg: string): Promise<void> {
   const image = new Image();
   image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
@@ -30,7 +30,7 @@ export function saveCanvas(name: string, canvas: HTMLCanvasElement): void {
   }, "image/png");
 }
 
-/** A name for files: "T-handle in free fall" → "t-handle-in-free-fall". */
+/** Returns a name for files: "T-handle in free fall" → "t-handle-in-free-fall". */
 export function fileName(title: string): string {
   const name = title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
   return name.slice(0, 60) || "polhode";

@@ -1,4 +1,4 @@
-/** What is to be saved of the 3-D view: a picture of the time that is shown, or a film. */
+/** An order to save the 3-D view: a picture of the current time, or a film. */
 import { grouped, number } from "../format";
 
 export type Format = "png" | "webm" | "gif" | "zip";
@@ -7,7 +7,7 @@ export interface Film {
   /** Times of the motion, s. */
   from: number;
   to: number;
-  /** Seconds of the motion in one of the film. */
+  /** Seconds of the motion in one second of the film. */
   speed: number;
   /** Frames per second. */
   rate: number;
@@ -15,35 +15,45 @@ export interface Film {
 
 export interface Order extends Film {
   format: Format;
-  /** px */
+  /** Size, px. */
   width: number;
   height: number;
-  /** On paper, or on nothing. */
+  /** True for a paper background, false for a transparent one. */
   paper: boolean;
 }
 
-/** Names have room. */
+/** Minimum size, px, which has space for labels. */
 const SMALLEST = 64;
-/** Of one frame: with what smooths its edges it takes 40 bytes of the GPU's memory for each. */
+/** Maximum number of pixels of a frame. With antialiasing, each takes 40 bytes of GPU memory. */
 const PIXELS = 40e6;
-/** Of all frames. Of a T-handle a GIF has 0.03 bytes for each, a PNG 0.08, a video 0.01; they may be ten times as many, and stay in memory until they are saved. */
+/**
+ * Maximum number of pixels of all frames. For a T-handle, each pixel takes 0.03 bytes in a GIF,
+ * 0.08 in a PNG and 0.01 in a video. Other scenes may take ten times as much, and frames stay in
+ * memory until they are saved.
+ */
 const ALL_PIXELS = { gif: 4e8, zip: 2e9, webm: 1e10 };
 const FRAMES = 9999;
-/** GIF counts hundredths of a second, and browsers show less than two of them as ten. */
+/**
+ * Maximum frame rate, 1/s. GIF counts hundredths of a second, and browsers show delays of less than
+ * two as ten.
+ */
 const FASTEST = { gif: 50, zip: 120, webm: 120 };
 const NAMES = { gif: "GIF", zip: "ZIP of pictures", webm: "WebM film" };
 
 export function frameCount({ from, to, speed, rate }: Film): number {
-  // What is left of a frame is one; what rounding leaves is none.
+  // A partial frame counts as one, but a rounding error does not.
   return Math.max(1, Math.ceil(((to - from) / speed) * rate - 1e-6));
 }
 
-/** The time that frame k shows, s. */
+/** Returns the time that frame k shows, s. */
 export function frameTime({ from, speed, rate }: Film, k: number): number {
   return from + (k * speed) / rate;
 }
 
-/** Why it is not saved; null if it can be. The motion goes from `start` to `end`, which are shown in `unit`. */
+/**
+ * Returns the reason why an order cannot be saved; null if it can. The motion lasts from `start` to
+ * `end`, which are shown in `unit`.
+ */
 export function refusal(order: Order, start: number, end: number, unit: { name: string; seconds: number }): string | null {
   const { format, from, to, speed, rate, width, height } = order;
   for (const [what, size] of [["Width", width], ["Height", height]] as const) {
@@ -54,7 +64,7 @@ export function refusal(order: Order, start: number, end: number, unit: { name: 
   }
   if (format === "png") return null;
   const shown = (time: number): string => `${number(time / unit.seconds)} ${unit.name}`;
-  // Ends that were shown rounded are the ends.
+  // Ends that were displayed rounded are accepted.
   const slack = 1e-9 * (end - start);
   for (const [what, time] of [["From", from], ["To", to]] as const) {
     if (!(time >= start - slack && time <= end + slack)) return `${what}: a time of the motion, ${shown(start)} to ${shown(end)}.`;
@@ -73,7 +83,7 @@ export function refusal(order: Order, start: number, end: number, unit: { name: 
   return `${rule} Take a shorter time, a higher speed, fewer frames per second or a smaller picture: ${grouped(room)} frames of this size fit${smaller}.`;
 }
 
-// The largest size of the same shape.
+// Returns the largest size with the same aspect ratio.
 function fitting({ width, height }: Order, pixels: number): string {
   const part = Math.sqrt(pixels / (width * height));
   return `${Math.floor(width * part)} × ${Math.floor(height * part)} px`;

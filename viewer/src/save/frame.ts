@@ -6,7 +6,7 @@ import { Labels } from "../scene/labels";
 import type { View } from "../scene/scene";
 import type { Order } from "./film";
 
-/** Draws frames of any size, with a renderer and names of its own: what is on the screen does not change, and nothing on it counts. */
+/** Draws frames of any size, with its own renderer and labels, independent of the screen. */
 export class Frames {
   readonly #view: View;
   readonly #renderer = new WebGLRenderer({ antialias: true, alpha: true });
@@ -17,7 +17,7 @@ export class Frames {
   #layout = { width: 1, height: 1, ratio: 1 };
   #paper = true;
 
-  /** Throws if the browser gives no further WebGL context. */
+  /** Throws if the browser provides no further WebGL context. */
   constructor(view: View) {
     this.#view = view;
     this.#renderer.debug.checkShaderErrors = false;
@@ -27,14 +27,15 @@ export class Frames {
     document.body.append(this.#host);
   }
 
-  /** The GPU was taken from it. */
+  /** True if the GPU context was lost. */
   get isLost(): boolean {
     return this.#renderer.getContext().isContextLost();
   }
 
   /**
-   * From here on frames have this size, px. The picture is that of a page of `shown` px made larger, with its type and its lines; where
-   * it is smaller they keep their size. Throws if they cannot be had: nothing is drawn smaller than it is said to be.
+   * Sets the size of the following frames, px. The picture is that of a page of `shown` px,
+   * enlarged with its text and lines; in a smaller picture they keep their size. Throws if the size
+   * is not available, instead of drawing a smaller frame.
    */
   begin({ width, height, paper }: Order, shown: { width: number; height: number }): void {
     const gl = this.#renderer.getContext();
@@ -59,12 +60,12 @@ export class Frames {
     }
     this.#host.style.width = `${this.#layout.width}px`;
     this.#host.style.height = `${this.#layout.height}px`;
-    // Names stay near where they were: those of before do not count.
+    // Labels stay near their previous places, but those of previous frames do not count.
     this.#host.replaceChildren();
     this.#names = new Labels(this.#host);
   }
 
-  /** The frame of a time; it is good until the next. */
+  /** Draws the frame of a time. It is valid until the next call. */
   draw(time: number): CanvasRenderingContext2D {
     const { width, height, ratio } = this.#layout;
     this.#view.draw(this.#renderer, this.#names, time, width, height);
@@ -73,7 +74,7 @@ export class Frames {
     return this.#pen;
   }
 
-  /** Leaves the memory of frames to others. */
+  /** Releases the memory of frames. */
   end(): void {
     this.#renderer.setDrawingBufferSize(1, 1, 1);
     Object.assign(this.#canvas, { width: 1, height: 1 });

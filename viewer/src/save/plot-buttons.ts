@@ -1,4 +1,7 @@
-/** The buttons beside a figure's title: it as a file. Each says which figure, for those who hear them one after the other. */
+/**
+ * Buttons next to a figure's title that save it as a file. Each label names the figure, for screen
+ * readers.
+ */
 import { element } from "../dom";
 import { savePng, saveSvg } from "./files";
 

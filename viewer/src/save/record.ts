@@ -1,11 +1,11 @@
-/** Draws what was ordered, frame by frame at its exact times: a slow machine makes the same film. */
+/** Draws an order frame by frame at exact times, so that a slow machine makes the same film. */
 import { Zip, ZipPassThrough } from "fflate";
 import { frameCount, frameTime, type Order } from "./film";
 import type { Frames } from "./frame";
 import { GifWriter } from "./gif";
 import { VideoWriter } from "./video";
 
-/** Frames that a GIF's colours are chosen by. */
+/** Number of frames from which the colours of a GIF are chosen. */
 const SAMPLES = 8;
 
 interface Writer {
@@ -15,10 +15,13 @@ interface Writer {
   close?: () => void;
 }
 
-/** A file may have so many bytes, whatever its frames are. */
+/** Maximum size of a file, bytes. */
 const MOST = 1e9;
 
-/** `shown` is the size of the view on the screen; a picture is of `now`. Rejects when `signal` is aborted, and when it cannot be made. */
+/**
+ * Records an order. `shown` is the size of the view on the screen, and `now` the time of a picture.
+ * Rejects when `signal` is aborted, or if the recording fails.
+ */
 export async function record(
   order: Order,
   frames: Frames,
@@ -59,10 +62,16 @@ function* sampled(order: Order, frames: Frames, count: number): Generator<Canvas
   for (let j = 0; j < all; j += 1) yield frames.draw(frameTime(order, Math.floor(((j + 0.5) * count) / all)));
 }
 
-/** The date of every file in a ZIP, local time as in the format: the same pictures make the same bytes. */
+/**
+ * Date of every file in a ZIP, local time as in the format. It is fixed, so that the same pictures
+ * give the same bytes.
+ */
 const DATE = new Date(1980, 0, 1);
 
-/** A ZIP of pictures named by their number, stored: a PNG is compressed already. */
+/**
+ * A ZIP of pictures, named by their number and stored without compression, because PNG is
+ * compressed already.
+ */
 class PngWriter {
   readonly #parts: Blob[] = [];
   readonly #zip: Zip;
@@ -102,7 +111,7 @@ function png(canvas: HTMLCanvasElement): Promise<Blob> {
   });
 }
 
-/** Lets the page draw itself and hear its buttons; timers are slow in a page that is not seen. */
+/** Lets the page redraw and handle events. Timers are slow in a page that is not visible. */
 function turn(): Promise<void> {
   return new Promise((done) => {
     const { port1, port2 } = new MessageChannel();

@@ -1,21 +1,24 @@
-/** A film as WebM: frames with their exact times go through the browser's encoder, as fast as it takes them. */
+/**
+ * A film as WebM: frames with their exact times pass through the browser's encoder, as fast as it
+ * accepts them.
+ */
 import { type Chunk, type Track, webm } from "./webm";
 
-/** Bits for each pixel; lines on paper need less than what a camera sees, but they are sharp. */
+/** Bits for each pixel. Drawings need fewer than camera pictures, but they have sharp lines. */
 const BITS = 0.15;
 const LEAST = 1e6;
-/** s between two key frames. */
+/** Time between key frames, s. */
 const KEYS = 2;
-/** Frames that may wait for the encoder. */
+/** Maximum number of frames that wait for the encoder. */
 const WAITING = 4;
 
-/** VP9 in profile 0 at level 6.2, which has room for all that the page makes; else VP8. */
+/** VP9 in profile 0 at level 6.2, which is sufficient for all sizes of the page; else VP8. */
 const CODECS = [
   { name: "V_VP9", config: "vp09.00.62.08" },
   { name: "V_VP8", config: "vp8" },
 ] as const;
 
-/** Why this browser makes no video; null if it does. */
+/** Returns the reason why this browser makes no video; null if it does. */
 export function noVideo(): string | null {
   if ("VideoEncoder" in window) return null;
   return isSecureContext ? "this browser has no video encoder (WebCodecs)" : "browsers encode video only for pages from disk, from this machine or over HTTPS";
@@ -27,7 +30,7 @@ export class VideoWriter {
   readonly #track: Track;
   readonly #rate: number;
   #problem: Error | null = null;
-  /** Goes on with what waits for the encoder. */
+  /** Continues frames that wait for the encoder. */
   #wake: () => void = () => undefined;
   #count = 0;
   #size = 0;

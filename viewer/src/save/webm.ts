@@ -1,7 +1,10 @@
-/** A WebM file of one video track (RFC 9559, Matroska, of which WebM is a part): elements of an identifier, a size and what is in them. */
+/**
+ * A WebM file with one video track (RFC 9559, Matroska, which includes WebM). Elements consist of
+ * an identifier, a size and contents.
+ */
 
 export interface Chunk {
-  /** ms */
+  /** Time, ms. */
   time: number;
   isKey: boolean;
   data: Uint8Array<ArrayBuffer>;
@@ -11,19 +14,22 @@ export interface Track {
   codec: "V_VP8" | "V_VP9";
   width: number;
   height: number;
-  /** ms; of one frame and of the whole */
+  /** Duration of a frame and of the film, ms. */
   frame: number;
   duration: number;
-  /** How the encoder has made colours of the screen's. */
+  /** Conversion of the screen's colours by the encoder. */
   colour: { matrix?: string | null; transfer?: string | null; primaries?: string | null; fullRange?: boolean | null };
 }
 
 type Bytes = Uint8Array<ArrayBuffer>;
 
-/** A player goes to one of these; a block's time is in 16 bits after it, ms. */
+/**
+ * Maximum duration of a cluster, ms. Players seek to clusters, and the time of a block within one
+ * has 16 bits.
+ */
 const LONGEST = 30_000;
 
-/** The file; chunks are in the order of their times, and a key frame is first. */
+/** Returns the file. Chunks are in the order of their times, and the first is a key frame. */
 export function webm(chunks: readonly Chunk[], track: Track): Blob {
   const clusters: { time: number; parts: Bytes[]; size: number }[] = [];
   for (const { time, isKey, data } of chunks) {
@@ -41,7 +47,8 @@ export function webm(chunks: readonly Chunk[], track: Track): Blob {
     return { time, parts: [header(0x1f43b675, size), ...parts] };
   });
   const before = joined(info(track), tracks(track));
-  // Where clusters are, from the beginning of the segment's content: of fixed length, as it depends on its own.
+  // Positions of clusters, from the beginning of the segment's content. The length is fixed,
+  // because the positions depend on it.
   const cues = (first: number): Bytes => {
     let at = first;
     const points = whole.map(({ time, parts }) => {
@@ -74,7 +81,7 @@ function tracks({ codec, width, height, frame, colour }: Track): Bytes {
   return element(0x1654ae6b, element(0xae, ...numbers, element(0x86, text(codec)), video));
 }
 
-/** In the numbers of ITU-T H.273; what is not known is left out. */
+/** Returns colours in the numbers of ITU-T H.273; unknown ones are omitted. */
 function colours({ matrix, transfer, primaries, fullRange }: Track["colour"]): Bytes[] {
   const known: [number, number | undefined][] = [
     [0x55b1, { rgb: 0, bt709: 1, bt470bg: 5, smpte170m: 6 }[matrix ?? ""]],
@@ -89,12 +96,12 @@ function element(id: number, ...content: Bytes[]): Bytes {
   return joined(header(id, length(content)), ...content);
 }
 
-/** Identifiers begin with the bits that say how long they are; a size has 8 bytes. */
+/** Returns a header. Identifiers begin with the bits of their length; a size has 8 bytes. */
 function header(id: number, size: number): Bytes {
   return joined(integer(id), Uint8Array.of(1), integer(size, 8).subarray(1));
 }
 
-/** Most significant byte first; in as few bytes as it needs, or in so many. */
+/** Returns an integer, most significant byte first, in at least `bytes` bytes. */
 function integer(value: number, bytes = 0): Bytes {
   const digits: number[] = [];
   for (let rest = value; rest > 0 || digits.length < Math.max(bytes, 1); rest = Math.floor(rest / 256)) digits.unshift(rest % 256);

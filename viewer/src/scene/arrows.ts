@@ -1,11 +1,11 @@
-/** Arrows from the origin. What is inside the body shows through it, faintly. */
+/** Arrows from the origin. Parts inside the body shine through it faintly. */
 import { ConeGeometry, CylinderGeometry, GreaterDepth, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { kept } from "./dispose";
 import type { Ink, Palette } from "./palette";
 
 const Y = new Vector3(0, 1, 0);
 
-/** Beyond the picture: a longer arrow, that of a run-away, would end behind the camera. */
+/** Maximum length. A longer arrow of a diverging motion would end behind the camera. */
 const MOST = 3;
 
 const SHAFT = kept(new CylinderGeometry(1, 1, 1, 16).translate(0, 0.5, 0));
@@ -14,7 +14,7 @@ const HEAD = kept(new ConeGeometry(1, 1, 24).translate(0, -0.5, 0));
 export class Arrow {
   readonly object = new Group();
   readonly tip = new Vector3();
-  /** False if it is too short to have a direction. */
+  /** False if the arrow is too short to have a direction. */
   drawn = false;
   readonly #shafts: Mesh[] = [];
   readonly #heads: Mesh[] = [];

@@ -1,4 +1,4 @@
-/** The axes of space, of the body, and its principal axes, as arrows with letters. */
+/** Axes of space, axes of the body, and its principal axes, as arrows with letters. */
 import { Group, type Quaternion, Vector3 } from "three";
 import { Arrow } from "./arrows";
 import type { Label } from "./labels";
@@ -19,13 +19,13 @@ interface Kind {
 
 export class Axes {
   readonly space = new Group();
-  /** Turn with the body. */
+  /** Groups that rotate with the body. */
   readonly body = new Group();
   readonly principal = new Group();
   readonly layers: Layer[] = [];
   readonly #drawn: { layer: string; text: string; tip: Vector3; turns: boolean; ink: Label["ink"] }[] = [];
 
-  /** Arrows of space are `far` long, those of the body `reach`. */
+  /** Arrows of space have the length `far`, and those of the body `reach`. */
   constructor(principal: Quaternion, reach: number, far: number, palette: Palette) {
     const off = { poinsot: false, cones: false };
     const kinds: [Group, Kind][] = [

@@ -1,6 +1,7 @@
 /**
- * What the body looks like, in body axes. Round shapes carry marks, quarters of two greys, so that one sees them turn. The size of
- * the picture is 1 from the point that the body turns about to its farthest part.
+ * Shape of the body, in body axes. Round shapes have marks, quarters in two greys, that make
+ * rotation visible. In the picture, the distance from the centre of rotation to the body's farthest
+ * part is 1.
  */
 import {
   Color,
@@ -22,9 +23,9 @@ import { directions, Farthest } from "./framing";
 import { endsOf, lineMaterial } from "./lines";
 import type { Palette } from "./palette";
 
-/** A part is small that is this part of its distance. */
+/** Relative size of a part below which it is small compared with its distance. */
 const SMALL = 0.1;
-/** Points between two that are looked at one after the other. */
+/** Stride between points that are examined one after the other. */
 const LEAP = 101;
 
 export class BodyModel {
@@ -32,19 +33,22 @@ export class BodyModel {
   readonly shapes: Group;
   /** The ellipsoid of the same mass and tensor. */
   readonly ellipsoid: Group;
-  /** m; length 1 of the picture: of the body without what is small and far out, as a tip mass on a boom */
+  /**
+   * Length 1 of the picture, m: radius of the body without small distant parts, such as a tip mass
+   * on a boom.
+   */
   readonly radius: number;
-  /** Points on the outside of the shapes, and of the ellipsoid, as the picture has them. */
+  /** Points on the outside of the shapes, and of the ellipsoid, in coordinates of the picture. */
   readonly outline: Vector3[];
   readonly ellipsoidOutline: Vector3[];
-  /** "20,000 of 200,000 triangles", if a mesh was made coarser. */
+  /** Text such as "20,000 of 200,000 triangles", if a mesh was made coarser. */
   readonly coarser: string | null;
   readonly hasShapes: boolean;
   readonly #solids: Solids;
 
   /**
-   * `before`: the body until now. Its shapes are used again if they are the same, and its scale if this body's size is like it. One
-   * sees through the body if `isOpen`.
+   * `before` is the previous body. Its shapes are reused if they are the same, and its scale if
+   * this body has a similar size. The body is transparent if `isOpen`.
    */
   constructor(data: BodyData, isOpen: boolean, palette: Palette, before: BodyModel | null) {
     this.hasShapes = data.shapes.length > 0;
@@ -70,7 +74,7 @@ export class BodyModel {
 export class Solids {
   readonly group = new Group();
   readonly farthest: Vector3[];
-  /** How far the parts go that are not small for where they are. */
+  /** Distance of the farthest part that is not small compared with its distance. */
   readonly bulk: number;
   readonly coarser: string | null;
 
@@ -91,12 +95,12 @@ export class Solids {
   }
 }
 
-/** Triangles: 12 bytes each, which base64 may fill up. */
+/** Returns the number of triangles: 12 bytes each, with possible padding of base64. */
 function count(triangles: Indices): number {
   return triangles.length / (typeof triangles === "string" ? 16 : 3);
 }
 
-/** The points of a part, and the corners of the box around them, in body axes, m. */
+/** Points of a part, and the corners of its bounding box, body axes, m. */
 interface Outline {
   points: Float64Array;
   min: Vector3;
@@ -134,7 +138,10 @@ function outlineOf(part: Group): Outline {
   return { points, min, max };
 }
 
-/** How far the parts go that are not small for where they are; infinite if all are small. */
+/**
+ * Returns the distance of the farthest part that is not small compared with its distance; infinite
+ * if all are small.
+ */
 function bulk(parts: Outline[]): number {
   const large = parts.flatMap((part) => {
     const far = Math.max(...corners(part).map((p) => p.length()));
@@ -153,13 +160,13 @@ interface Paint {
   edge: LineMaterial;
 }
 
-/** Materials, shared by all shapes; one sees what is inside if they are open. */
+/** Returns materials shared by all shapes; they are transparent if the body is open. */
 function paint(palette: Palette, isOpen: boolean): Paint {
   const look = { roughness: 0.55, metalness: 0.05, ...(isOpen ? { transparent: true, opacity: 0.4, depthWrite: false } : {}) };
   return {
     solid: palette.shared(`solid ${isOpen}`, "solid", () => new MeshStandardMaterial(look)),
     marked: palette.shared(`marked ${isOpen}`, "solid", () => new MeshStandardMaterial({ ...look, vertexColors: true })),
-    // Opaque: where two meet, they would be darker.
+    // Opaque, because crossings of transparent lines would be darker.
     edge: lineMaterial({ ink: "edge", width: 1, strength: 0.85 }, palette),
   };
 }
@@ -178,7 +185,7 @@ function solid(shape: Solid, paint: Paint): Group {
   const { geometry, edges, scale } = formOf(shape);
   const isRound = shape.kind !== "box" && shape.kind !== "mesh";
   const mesh = new Mesh(geometry, isRound ? paint.marked : paint.solid);
-  // Between its rims a cylinder goes no farther.
+  // A cylinder does not extend beyond its rims.
   if (edges && (shape.kind === "cylinder" || (shape.kind === "cone" && shape.top > 0))) mesh.userData.hull = endsOf(edges);
   group.add(mesh);
   if (edges) {
@@ -228,7 +235,7 @@ function balls(shape: Extract<Shape, { kind: "balls" }>): Group {
 function equimomental(data: BodyData, paint: Paint): Group {
   const group = new Group();
   const largest = Math.max(...data.ellipsoid.half, Number.MIN_VALUE);
-  // A flat body's ellipsoid has no thickness; what has none cannot be lit.
+  // The ellipsoid of a flat body has no thickness, but a shaded one needs some.
   const half = data.ellipsoid.half.map((a) => Math.max(a, 0.004 * largest)) as [number, number, number];
   const mesh = new Mesh(ELLIPSOID, paint.marked);
   mesh.scale.set(...half);
@@ -239,7 +246,10 @@ function equimomental(data: BodyData, paint: Paint): Group {
   return group;
 }
 
-/** The ellipsoid's points that are farthest in each of many directions d: A²d/|A d|, A = diag(half axes). */
+/**
+ * Returns the points of the ellipsoid that are farthest in each of many directions d: A²d/|A d|,
+ * A = diag(half axes).
+ */
 function farthestOf({ ellipsoid, lever }: BodyData): Vector3[] {
   const [w, x, y, z] = ellipsoid.quaternion;
   const turn = new Quaternion(x, y, z, w).normalize();
@@ -253,11 +263,15 @@ function farthestOf({ ellipsoid, lever }: BodyData): Vector3[] {
   });
 }
 
-/** The points that are farthest in each of many directions: their hull is nearly that of the whole. */
+/**
+ * Returns the points that are farthest in each of many directions. Their hull is nearly that of the
+ * whole.
+ */
 function extremes(parts: Outline[]): Vector3[] {
   const farthest = new Farthest(DIRECTIONS.length);
   const point = new Vector3();
-  // In leaps: most of the others are within those that come first from everywhere.
+  // The points are visited in strides. The first points, taken from everywhere, exclude most others
+  // quickly.
   for (const { points } of parts) {
     for (let from = 0; from < 3 * LEAP; from += 3) {
       for (let k = from; k < points.length; k += 3 * LEAP) farthest.add(point.fromArray(points, k));

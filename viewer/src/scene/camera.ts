@@ -1,39 +1,40 @@
 /**
- * The camera's orbit: azimuth and height around what has to be seen, all of which is in the frame from every side. It looks along fixed
- * axes, or rides with the body. One finger or the mouse turns it, two fingers or the wheel bring it nearer.
+ * Orbit of the camera: azimuth and height around the visible content, all of which is in the frame
+ * from every side. The camera keeps fixed axes, or rotates with the body. One finger or the mouse
+ * rotates it; two fingers or the wheel zoom.
  */
 import { PerspectiveCamera, Quaternion, Vector3 } from "three";
 import { fit } from "./framing";
 
 const VIEW = 28;
-/** At the edges of the picture, px: names stand there. */
+/** Margins of the picture for labels, px. */
 const MARGIN = { beside: 21, above: 26 };
 
 export class OrbitCamera {
   readonly camera = new PerspectiveCamera(VIEW, 1, 0.05, 200);
-  /** rad */
+  /** Angles, rad. */
   azimuth = 0;
   height = 0;
-  /** What has to be seen, in `frame`. */
+  /** Points that must be visible, in `frame`. */
   content: Vector3[] = [];
   zoom = 1;
-  /** Where `home` is. */
+  /** Angles of the home position, rad. */
   homeAzimuth = 0.62;
   homeHeight = 0.36;
-  /** What the camera looks at, in space, and from how far. */
+  /** Target of the camera in space, and distance from it. */
   distance = 1;
   readonly target = new Vector3();
-  /** Takes the frame in which azimuth and height are measured, with z up, to space. */
+  /** Rotation from the frame in which azimuth and height are measured, with z up, to space. */
   readonly frame = new Quaternion();
 
-  /** From where, in space, content is measured. */
+  /** Origin of the content, in space. */
   readonly origin = new Vector3();
 
   readonly #pointers = new Map<number, { x: number; y: number }>();
   readonly #changed: () => void;
   readonly #homed: () => void;
 
-  /** `homed`: it goes home, and what it has to see is to be found anew. */
+  /** `homed` is called when the camera returns home, and its content must be determined again. */
   constructor(surface: HTMLElement, changed: () => void, homed: () => void) {
     this.#changed = changed;
     this.#homed = homed;
@@ -77,7 +78,7 @@ export class OrbitCamera {
     this.#changed();
   }
 
-  /** Places the camera for a picture of this width by this height. */
+  /** Places the camera for a picture of this width and height. */
   place(width: number, height: number): void {
     const aspect = width / height;
     const half = Math.tan((VIEW / 2) * (Math.PI / 180));

@@ -1,8 +1,10 @@
-/** A picture of the 3-D view: what the renderer has drawn, with its names. */
+/** A picture of the 3-D view: the output of the renderer, with labels. */
 import { ink as colour } from "../theme";
 import type { PlacedLabel } from "./labels";
 
-/** Draws with `pen`, at `ratio` pixels for one of the page, on paper or on a transparent ground. */
+/**
+ * Draws with `pen`, at `ratio` pixels for one of the page, on paper or on a transparent background.
+ */
 export function compose(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement, names: PlacedLabel[], ratio: number, paper: boolean): void {
   const { width, height } = drawn;
   pen.resetTransform();

@@ -1,7 +1,8 @@
 /**
- * The body cone, which ω sweeps in the body, rolls on the space cone, which it sweeps in space. They touch along ω. A symmetric body's
- * are circular. Of any other the space cone does not close: what is drawn of it is around now, a turn or a period of ω, whichever is
- * more.
+ * The body cone, swept by ω in the body, rolls on the space cone, swept by ω in space. They touch
+ * along ω. The cones of a symmetric body are circular. For other bodies the space cone does not
+ * close. The part drawn is around the current time, over a turn or a period of ω, whichever is
+ * longer.
  */
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshStandardMaterial, Vector3 } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
@@ -18,7 +19,7 @@ import { spread } from "./poinsot";
 const MOST = 6000;
 
 export class Cones {
-  /** Turns with the body. */
+  /** Group that rotates with the body. */
   readonly body = new Group();
   readonly space = new Group();
   /** Length of 1 rad/s in the picture. */
@@ -79,15 +80,15 @@ export class Cones {
   }
 
   readonly #polhode: Vector3[];
-  /** The rim of the space cone that is drawn: first and how many. */
+  /** Drawn part of the rim of the space cone: first index and count. */
   #drawn: [number, number] = [0, 0];
 
   readonly #fine: number;
   readonly #times: Float64Array;
-  /** s that the space cone shows at least. */
+  /** Minimum time that the space cone covers, s. */
   readonly #span: number;
 
-  /** The turn of the space cone around `time`. */
+  /** Draws the turn of the space cone around `time`. */
   draw(time: number): void {
     const here = Math.min(indexAt(this.#times, time) * this.#fine, this.#angles.length - 1);
     const turned = (k: number): number => Math.abs(this.#angles[k] - this.#angles[here]);
@@ -95,7 +96,7 @@ export class Cones {
     let last = here;
     while (first > 0 && turned(first) < Math.PI) first -= 1;
     while (last < this.#angles.length - 1 && turned(last) < Math.PI) last += 1;
-    // At the ends of the motion there is more on one side.
+    // At the ends of the motion, one side extends farther.
     while (first > 0 && turned(first) + turned(last) < 2 * Math.PI) first -= 1;
     while (last < this.#angles.length - 1 && turned(first) + turned(last) < 2 * Math.PI) last += 1;
     const sampleAt = (t: number): number => Math.min(indexAt(this.#times, t) * this.#fine, this.#angles.length - 1);
@@ -121,7 +122,7 @@ export class Cones {
     normals.needsUpdate = true;
   }
 
-  /** Names, where `turned` takes a place in the body to space. */
+  /** Returns labels; `turned` converts a place in the body to space. */
   labels(on: (id: string) => boolean, turned: (p: Vector3) => Vector3): Label[] {
     const labels: Label[] = [];
     const put = (layer: string, text: string, ink: Ink, along: Vector3[]): void => {
@@ -134,7 +135,7 @@ export class Cones {
   }
 }
 
-/** Whether the rim is a circle around `up`. */
+/** Returns true if the rim is a circle around `up`. */
 function isRound(rim: Float32Array, up: Vector3): boolean {
   let [low, high] = [Infinity, 0];
   const p = new Vector3();
@@ -162,7 +163,7 @@ function fan(rim: Float64Array, scale: number): BufferGeometry {
   return geometry;
 }
 
-// Some of the lines through the tip that the cone is made of.
+// Draws some of the generating lines of the cone.
 function rulings(rim: Float64Array, scale: number, palette: Palette): LineSegments2 {
   const count = rim.length / 3;
   const corners: number[] = [];
@@ -173,7 +174,7 @@ function rulings(rim: Float64Array, scale: number, palette: Palette): LineSegmen
   return new LineSegments2(segments(corners), lineMaterial({ ink: "axis-1", width: 1, opacity: 0.45 }, palette));
 }
 
-// From a to b around `up`, rad.
+// Returns the angle from a to b around `up`, rad.
 function angleAround(up: Vector3, a: Vector3, b: Vector3): number {
   const flatA = a.clone().addScaledVector(up, -a.dot(up));
   const flatB = b.clone().addScaledVector(up, -b.dot(up));

@@ -1,4 +1,7 @@
-/** Curves that the point of contact draws until now: in space, on a ground that turns, and on the body. */
+/**
+ * Curves of the contact point up to the current time: in space, on a rotating ground, and on the
+ * body.
+ */
 import { Group } from "three";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { inverse, rotate, type Vector } from "../attitude";
@@ -8,10 +11,13 @@ import type { Moment, Motion } from "../motion";
 import { lineMaterial, MovingCurve } from "./lines";
 import type { Ink, Palette } from "./palette";
 
-/** Points between two samples, so that few samples give a smooth curve too. */
+/** Number of points between samples, so that few samples also give a smooth curve. */
 const FINE = 6;
 const LONGEST = 12_000;
-/** What a curve is above its surface, where the body's radius is 1: it is not to be in it. */
+/**
+ * Height of a curve above its surface, relative to the body's radius, so that the curve is not
+ * hidden in it.
+ */
 const ABOVE = 0.008;
 
 export type Place = (now: Moment, time: number) => Vector;
@@ -23,7 +29,9 @@ export class ContactPath {
   readonly #curve: MovingCurve;
   readonly #times: Float64Array;
   readonly #points: Float32Array;
-  /** So many of the points are found: a motion that changes under a knob shows but few of them. */
+  /**
+   * Number of points computed so far. A motion that changes with a knob shows only a few of them.
+   */
   #known = 0;
 
   constructor(motion: Motion, until: number, place: Place, ink: Ink, palette: Palette) {
@@ -40,14 +48,14 @@ export class ContactPath {
     this.#points = new Float32Array(3 * this.#times.length);
     this.#curve = new MovingCurve(this.#times.length + 1, { ink, width: 1.8 }, palette);
     const { geometry } = this.#curve.object;
-    // The body, which stands on them, does not hide them altogether.
+    // The body, which is on top of the curves, hides them only partly.
     const hidden = new Line2(geometry, lineMaterial({ ink, width: 1.8, opacity: 0.3, behind: true }, palette));
     hidden.frustumCulled = false;
     hidden.renderOrder = 4;
     this.object.add(this.#curve.object, hidden);
   }
 
-  /** Until `time`, where it is `now`. */
+  /** Draws the curve up to `time`, with the state `now`. */
   draw(now: Moment, time: number): void {
     const last = indexAt(this.#times, time);
     for (; this.#known <= last; this.#known += 1) {
@@ -63,7 +71,7 @@ export class ContactPath {
   }
 }
 
-/** Where a curve's point is, in lengths of `unit` metres. */
+/** Returns the functions for the points of curves, in lengths of `unit` metres. */
 export function places(contact: Contact, start: number, unit: number): Record<"ground" | "trace" | "body" | "center", Place> {
   const { ground } = contact;
   const raised = (point: Vector, by: number): Vector => {

@@ -1,4 +1,7 @@
-/** What belongs to a body on the ground: the ground, the curves of the point of contact, and the surface that touches. */
+/**
+ * Objects of a body on the ground: the ground, the curves of the contact point, and the surface
+ * that touches.
+ */
 import { Group, type Object3D, Vector3 } from "three";
 import type { Contact } from "../contact";
 import type { Moment, Motion } from "../motion";
@@ -9,12 +12,12 @@ import type { Layer } from "./layers";
 import { Marker } from "./marker";
 import type { Ink, Palette } from "./palette";
 
-/** Of the mark of the point of contact: relative to the body, and to the way that it goes. */
+/** Radius of the mark of the contact point, relative to the body and to the length of its path. */
 const MARK = [0.035, 0.004] as const;
 
 export class ContactScene {
   readonly layers: Layer[] = [];
-  /** Stay in space, and turn with the body. */
+  /** Group fixed in space, and group that rotates with the body. */
   readonly space = new Group();
   readonly body = new Group();
   readonly #ground: Ground;

@@ -1,4 +1,7 @@
-/** How much is drawn in any box of the picture: points counted in cells, with their sums over all that is above and to the left. */
+/**
+ * Density of the drawing in any rectangle of the picture: points counted in cells, with cumulative
+ * sums from the upper left.
+ */
 const CELL = 5;
 
 export class Density {
@@ -21,7 +24,7 @@ export class Density {
     this.#sums = sums;
   }
 
-  /** Points in the cells that a box around (x, y) touches. */
+  /** Returns the number of points in the cells that a box around (x, y) touches. */
   count(x: number, y: number, w: number, h: number): number {
     const column = (at: number): number => Math.min(Math.max(Math.floor(at / CELL), 0), this.#columns - 2);
     const row = (at: number): number => Math.min(Math.max(Math.floor(at / CELL), 0), this.#rows - 2);

@@ -1,8 +1,8 @@
-/** What the graphics card holds for a part of the scene is given back when that part goes; what several parts share stays. */
+/** Release of GPU memory when a part of the scene is removed. Shared resources stay. */
 import type { BufferGeometry, Material, Object3D } from "three";
 import type { Palette } from "./palette";
 
-/** Marks a geometry that is made once and used by many. */
+/** Marks a geometry that is made once and used by many objects. */
 export function kept<G extends BufferGeometry>(geometry: G): G {
   geometry.userData.kept = true;
   return geometry;

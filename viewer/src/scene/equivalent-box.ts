@@ -1,4 +1,7 @@
-/** The uniform box of the body's mass and tensor: as glass, with its edges, so that the body is seen in it. */
+/**
+ * The uniform box with the body's mass and tensor, as glass with edges, so that the body is visible
+ * inside.
+ */
 import { BoxGeometry, EdgesGeometry, Group, Mesh, MeshStandardMaterial, Quaternion, Vector3 } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import type { BodyData } from "../data";
@@ -6,11 +9,14 @@ import type { Layer } from "./layers";
 import { lineMaterial, segments } from "./lines";
 import type { Palette } from "./palette";
 
-/** A layer that is off at first; none if the mass is not known. `radius` is length 1 of the picture, m. */
+/**
+ * Makes a layer that is off at first; none if the mass is not known. `radius` is length 1 of the
+ * picture, m.
+ */
 export function equivalentBox(data: BodyData, radius: number, palette: Palette): Layer[] {
   if (!data.box) return [];
   const largest = Math.max(...data.box.size, Number.MIN_VALUE);
-  // A plate's box has no thickness; what has none cannot be lit.
+  // The box of a plate has no thickness, but a shaded box needs some.
   const geometry = new BoxGeometry(...data.box.size.map((edge) => Math.max(edge, 0.002 * largest) / radius));
   const glass = palette.shared("glass", "axis-1", () => new MeshStandardMaterial({ transparent: true, opacity: 0.18, depthWrite: false }));
   const edges = segments(new EdgesGeometry(geometry).attributes.position.array);
@@ -22,7 +28,7 @@ export function equivalentBox(data: BodyData, radius: number, palette: Palette):
   return [{ id: "box", label: "Equivalent box", ink: "axis-1", look: "area", on: { body: false }, objects: [object] }];
 }
 
-/** Where they are, in the picture. */
+/** Returns the corners of the box, in the picture. */
 export function corners({ box, lever }: BodyData, radius: number): Vector3[] {
   if (!box) return [];
   const [w, x, y, z] = box.quaternion;

@@ -1,6 +1,6 @@
 /**
- * The geometry of a solid and its edges. Simple ones are all one geometry, stretched, so that a size that changes makes none anew. Round
- * ones carry marks, quarters of two greys.
+ * Geometry of a solid and its edges. Simple solids share one scaled geometry, so that a change of
+ * size creates no new one. Round solids have marks, quarters in two greys.
  */
 import {
   BoxGeometry,
@@ -23,12 +23,15 @@ import { segments } from "./lines";
 import { creased } from "./normals";
 
 const ROUND = 64;
-/** Edges are not drawn on meshes with more triangles: they would be ink all over, and slow to find. */
+/**
+ * Maximum number of triangles of a mesh with edges. Edges of a larger one would cover it with ink,
+ * and take long to compute.
+ */
 const EDGES_UP_TO = 20_000;
 
 export type Solid = Exclude<Shape, { kind: "balls" }>;
 
-/** What is drawn of a solid, and how it is stretched. */
+/** Geometry of a solid and its scaling. */
 export interface Form {
   geometry: BufferGeometry;
   edges: LineSegmentsGeometry | null;
@@ -88,7 +91,7 @@ function simple(kind: string, make: () => Simple): Simple {
   return form;
 }
 
-// Circles about z, of these radii at these heights.
+// Makes circles about z, with these radii at these heights.
 function rings(...all: [radius: number, height: number][]): LineSegmentsGeometry {
   const ends = new Float32Array(6 * ROUND * all.length);
   all.forEach(([radius, height], ring) => {
@@ -100,17 +103,17 @@ function rings(...all: [radius: number, height: number][]): LineSegmentsGeometry
   return segments(ends);
 }
 
-// Where faces meet at more than 35°.
+// Makes edges where faces meet at more than 35°.
 function sharp(geometry: BufferGeometry): LineSegmentsGeometry {
   return segments(new EdgesGeometry(geometry, 35).attributes.position.array);
 }
 
-// three's round solids stand along y.
+// The round solids of three.js are along y.
 function upright(geometry: BufferGeometry): BufferGeometry {
   return geometry.rotateX(Math.PI / 2);
 }
 
-// A profile with sharp corners: each side of it has its own points.
+// Makes a profile with sharp corners: each of its sides has its own points.
 function tube(inner: number, outer: number, height: number): BufferGeometry {
   const h = height / 2;
   const corners = [
@@ -138,7 +141,7 @@ function quadrants(x: number, y: number): boolean {
   return x * y > 0;
 }
 
-// A darker grey on the faces whose middle the rule picks.
+// Marks faces with a darker grey if their centres fulfil the rule.
 function marked(geometry: BufferGeometry, rule: (x: number, y: number, z: number) => boolean): BufferGeometry {
   const plain = geometry.index ? geometry.toNonIndexed() : geometry;
   const p = plain.attributes.position.array;

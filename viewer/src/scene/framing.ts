@@ -1,17 +1,23 @@
-/** What a camera has to see, and the nearest place from which all of it is in the frame. */
+/** Visible points of a scene, and the nearest place of a camera with all of them in the frame. */
 import { type Quaternion, Vector3 } from "three";
 import type { Moment, Motion } from "../motion";
 
-/** Of a motion, and of the points that stand for all: some directions are 0.2 rad apart, where a sphere is 0.5 % beyond them. */
+/**
+ * Numbers of sampled times, and of representative directions. Directions are about 0.2 rad apart,
+ * where a sphere extends 0.5 % beyond the points.
+ */
 const TIMES = 200;
-/** At so many times of one the whole of what turns is looked at, at the others what goes farthest, as arrows do. */
+/**
+ * At one in this many times, the whole of the rotating parts is examined; at the others, only the
+ * farthest parts, such as arrows.
+ */
 const WHOLE = 3;
 const DIRECTIONS = 300;
-/** Another motion is seen in the frame of the one before unless it is smaller than this part of it. */
+/** Relative size above which another motion keeps the frame of the previous one. */
 const LIKE = 0.62;
 const GOLDEN = (Math.sqrt(5) - 1) / 2;
 
-/** Directions spread evenly (Fibonacci's spiral). */
+/** Returns evenly distributed directions (Fibonacci spiral). */
 export function directions(count: number): Vector3[] {
   const golden = Math.PI * (3 - Math.sqrt(5));
   return Array.from({ length: count }, (_, k) => {
@@ -21,18 +27,21 @@ export function directions(count: number): Vector3[] {
   });
 }
 
-/** Directions near to each other, which a point that is not far enough for any of them passes by together. */
+/**
+ * A bundle of neighbouring directions. A point that is not far enough for any of them is skipped
+ * for all.
+ */
 interface Bundle {
   middle: Vector3;
-  /** Of the angle α from there to the farthest of them. */
+  /** Cosine and sine of the angle α from the centre to the farthest direction. */
   cos: number;
   sin: number;
-  /** The first of them, and the one behind the last. */
+  /** Index of the first direction, and the one after the last. */
   from: number;
   to: number;
 }
 
-/** x y z of so many directions, in bundles of about sixteen. */
+/** Returns x y z of `count` directions, in bundles of about sixteen. */
 function bundled(count: number): { directions: Float64Array; bundles: Bundle[] } {
   const middles = directions(Math.ceil(count / 16));
   const all = directions(count);
@@ -50,19 +59,19 @@ function bundled(count: number): { directions: Float64Array; bundles: Bundle[] }
 
 const BUNDLED = new Map<number, ReturnType<typeof bundled>>();
 
-/** The points that are farthest in each of many directions: their hull is nearly that of all. */
+/** The points that are farthest in each of many directions. Their hull is nearly that of all. */
 export class Farthest {
   readonly points: Vector3[];
-  /** x y z of each. */
+  /** Directions, x y z of each. */
   readonly #directions: Float64Array;
   readonly #bundles: Bundle[];
   readonly #far: Float64Array;
-  /** Of each bundle the least of them. */
+  /** Least of the farthest distances of each bundle. */
   readonly #least: Float64Array;
-  /** What is nearer to the origin is inside of what there is. */
+  /** Distance from the origin below which a point cannot change the result. */
   least = -Infinity;
 
-  /** `before`: points that were found of so many directions. */
+  /** `before`: previous points for the same number of directions. */
   constructor(count: number, before: readonly Vector3[] | null = null) {
     const made = BUNDLED.get(count) ?? bundled(count);
     BUNDLED.set(count, made);
@@ -74,7 +83,7 @@ export class Farthest {
     if (before) this.#begin();
   }
 
-  // With a point for each direction.
+  // Initialises with a point for each direction.
   #begin(): void {
     const d = this.#directions;
     this.points.forEach(({ x, y, z }, k) => {
@@ -95,7 +104,8 @@ export class Farthest {
     let isFarther = false;
     for (let b = 0; b < this.#bundles.length; b += 1) {
       const { middle, cos, sin, from, to } = this.#bundles[b];
-      // With p at an angle θ from the middle, p·d ≤ |p| cos(θ − α) for all of them; or |p| if θ < α.
+      // For p at an angle θ from the centre, p·d ≤ |p| cos(θ − α) for all directions of the bundle;
+      // or |p| if θ < α.
       const along = middle.x * x + middle.y * y + middle.z * z;
       const most = along >= size * cos ? size : along * cos + Math.sqrt(Math.max(square - along * along, 0)) * sin;
       if (most < this.#least[b]) continue;
@@ -115,19 +125,23 @@ export class Farthest {
   }
 }
 
-/** What is to be seen. */
+/** Visible points of a picture. */
 export interface Seen {
-  /** At a time, in the frame of the camera: the whole of it, or what goes farthest. Without `rigid`. */
+  /**
+   * Returns the points at a time, in the frame of the camera: all, or only the farthest; without
+   * `rigid`.
+   */
   at: (now: Moment, time: number, isWhole: boolean) => Vector3[];
-  /** What only turns. */
+  /** Points that only rotate. */
   rigid: readonly Vector3[];
-  /** How that is turned at the time of which `at` was asked last. */
+  /** Returns the rotation of the rigid points at the time of the last call of `at`. */
   turn: () => Quaternion;
 }
 
 /**
- * All that is in a picture, at every time of the motion. `before`: of the motion until now. The frame stays as it was, and is only made
- * wider by what goes beyond it, as long as this motion's size is like it; or, if `isHeld`, whatever its size is.
+ * Visible points of a picture over the whole motion. `before` is the content of the previous
+ * motion. The frame stays, and is only extended by points beyond it, while this motion has a
+ * similar size, or always if `isHeld`.
  */
 export class Contents {
   readonly #found = new Map<string, Vector3[]>();
@@ -139,14 +153,14 @@ export class Contents {
     this.#isHeld = isHeld;
   }
 
-  /** From here on the frames are this motion's own. */
+  /** Makes the following frames independent of the previous motion. */
   refit(): void {
     if (this.#before.size === 0) return;
     this.#found.clear();
     this.#before.clear();
   }
 
-  /** The outermost of `seen`, which is named by `key`. */
+  /** Returns the outermost points of `seen`, cached under `key`. */
   of(key: string, motion: Motion, seen: () => Seen): Vector3[] {
     const before = this.#before.get(key);
     let found = this.#found.get(key) ?? (this.#isHeld ? before : undefined);
@@ -154,7 +168,7 @@ export class Contents {
       const { at, rigid, turn } = seen();
       const { points, turns } = sampled(motion, at, turn);
       const isLike = before && Math.max(size(points), size(rigid)) > LIKE * size(before);
-      // Then most of the others are inside and change nothing.
+      // Most other points are then inside and change nothing.
       const farthest = new Farthest(DIRECTIONS, isLike ? before : null);
       for (const p of points) farthest.add(p);
       addTurned(farthest, rigid, turns);
@@ -165,12 +179,15 @@ export class Contents {
   }
 }
 
-/** What is seen at many times, and how what only turns is turned at those at which the whole is looked at. */
+/**
+ * Returns the visible points at many times, and the rotations of the rigid points at the times at
+ * which the whole is examined.
+ */
 function sampled(motion: Motion, at: Seen["at"], turn: Seen["turn"]): { points: Vector3[]; turns: Quaternion[] } {
   const count = Math.min(motion.telling, TIMES);
   const [points, turns]: [Vector3[], Quaternion[]] = [[], []];
   for (let k = 0; k < count; k += 1) {
-    // Spread by the golden ratio: no oscillation is in step with it.
+    // The times are spread by the golden ratio, so that no oscillation is in phase with them.
     const i = count < TIMES ? k : Math.floor(((k * GOLDEN) % 1) * motion.telling);
     const isWhole = count < TIMES || k % WHOLE === 0;
     points.push(...at(motion.sample(i), motion.times[i], isWhole));
@@ -179,7 +196,10 @@ function sampled(motion: Motion, at: Seen["at"], turn: Seen["turn"]): { points: 
   return { points, turns };
 }
 
-/** However they are turned, points are as far out as they were: most need not be turned at all. */
+/**
+ * Adds rotated points. Rotation does not change their distance, so that most need not be rotated at
+ * all.
+ */
 function addTurned(farthest: Farthest, points: readonly Vector3[], turns: readonly Quaternion[]): void {
   const turned = new Vector3();
   for (const p of points) {
@@ -196,9 +216,10 @@ function size(points: readonly Vector3[]): number {
 }
 
 /**
- * For a camera that looks against `back` with z upwards: where it has to look, and from how far, so that all points are in its frame, which
- * ends at the slopes `wide` and `high` from its axis. Each side of the frame is a plane that is moved until it touches the points; two
- * opposite ones meet where the camera is.
+ * Finds the target and the distance of a camera that looks against `back` with z upwards, so that
+ * all points are in its frame, which ends at the slopes `wide` and `high` from its axis. Each side
+ * of the frame is a plane that is moved until it touches the points; two opposite planes meet at
+ * the camera.
  */
 export function fit(points: readonly Vector3[], back: Vector3, wide: number, high: number): { target: Vector3; distance: number } {
   const right = new Vector3(-back.y, back.x, 0).normalize();

@@ -1,4 +1,7 @@
-/** The ground that a body touches, as much of it as the body sees: a plane with squares, a turntable, a bowl, a hill, a trough. */
+/**
+ * The part of the ground near the body: a plane with squares, a turntable, a bowl, a hill, or a
+ * trough.
+ */
 import { Group, Quaternion, Vector3 } from "three";
 import type { Contact } from "../contact";
 import type { GroundData } from "../data";
@@ -8,15 +11,15 @@ import { curve } from "./lines";
 import type { Palette } from "./palette";
 import { patch } from "./patch";
 
-/** Beyond the path, where the body's radius is 1. */
+/** Margin beyond the path, relative to the body's radius. */
 const MARGIN = 1.8;
-/** Squares along the longer side. */
+/** Number of squares along the longer side. */
 const SQUARES = 12;
 const Z = new Vector3(0, 0, 1);
 
 export class Ground {
   readonly object = new Group();
-  /** "Floor, squares of 50 mm" */
+  /** Label, such as "Floor, squares of 50 mm". */
   readonly label: string;
   readonly #rate: number;
   readonly #start: number;
@@ -38,7 +41,7 @@ export class Ground {
     this.label = made.label;
   }
 
-  /** Turns it to where it is at a time. */
+  /** Rotates the ground to its position at a time. */
   pose(time: number): void {
     this.object.quaternion.setFromAxisAngle(this.#axis, this.#rate * (time - this.#start));
   }
@@ -67,12 +70,12 @@ function turntable(flat: Vector3[], at: (x: number, y: number) => Vector3, unit:
   const polar = (r: number, a: number): Vector3 => at(r * Math.cos(a), r * Math.sin(a));
   const rings = [...steps([step, reach], step), reach];
   const group = patch({ at: polar, u: [0, reach], v: [0, 2 * Math.PI], alongV: rings, alongU: spokes(12) }, palette);
-  // One of its radii, so that one sees it turn.
+  // One of its radii, which makes rotation visible.
   group.add(curve([...polar(0, 0).toArray(), ...polar(reach, 0).toArray()], 1, { ink: "quiet", width: 2.5 }, palette));
   return { group, label: `Turntable, rings ${metres(step * unit)} apart` };
 }
 
-/** A sphere about its lowest or highest point, or a cylinder along its axis. */
+/** Makes a sphere around its lowest or highest point, or a cylinder along its axis. */
 function round({ ground, up }: Contact, points: Vector3[], unit: number, palette: Palette): Made {
   const axis = new Vector3(...ground.axis);
   const radius = ground.radius / unit;
@@ -82,7 +85,7 @@ function round({ ground, up }: Contact, points: Vector3[], unit: number, palette
   const down = up ? new Vector3(...up).multiplyScalar(ground.inside ? -1 : 1) : mean;
   if (isSphere) {
     let pole = down.clone().normalize();
-    // What turns shows the same from its axis only.
+    // A rotating sphere looks the same only from its axis.
     if (ground.rate !== 0) pole = axis.clone().multiplyScalar(axis.dot(mean) < 0 ? -1 : 1);
     const turn = new Quaternion().setFromUnitVectors(Z, pole);
     const angle = Math.min(Math.max(...points.map((p) => p.angleTo(pole))) + margin, Math.PI);
@@ -109,7 +112,7 @@ function spherical(theta: number, phi: number): Vector3 {
   return new Vector3(Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta));
 }
 
-/** With a margin. */
+/** Returns the range of values with a margin. */
 function range(values: number[]): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)];
@@ -128,7 +131,7 @@ function metres(size: number): string {
   return size >= 1e-3 && size < 1 ? `${Math.round(1000 * size)} mm` : quantity(size, "m", 1);
 }
 
-/** 1, 2 or 5 times a power of ten, not below a size. */
+/** Returns 1, 2 or 5 times a power of ten, not below a size. */
 function nice(size: number): number {
   const power = 10 ** Math.floor(Math.log10(size));
   return power * ([1, 2, 5].find((k) => k * power >= size * (1 - 1e-9)) ?? 10);

@@ -1,7 +1,8 @@
 /**
- * Names as text over the picture, none over another. The name of an arrow stands at its tip, outside the silhouette of the body, along the
- * line from the middle through the tip, and moves around until nothing is in its way. The name of a curve or a surface stands beside one
- * of its points. A thin line leads from a name to what it names.
+ * Labels as text over the picture, without overlap. The label of an arrow is at its tip, outside
+ * the silhouette of the body, on the line from the centre through the tip; it moves around until
+ * its place is free. The label of a curve or a surface is next to one of its points. A thin line
+ * leads from a label to its object.
  */
 import { type Camera, Vector3 } from "three";
 import { svgElement } from "../dom";
@@ -10,23 +11,23 @@ import type { Ink } from "./palette";
 
 export interface Label {
   text: string;
-  /** What it is, if its text changes. */
+  /** Identifier, if the text changes. */
   key?: string;
   ink: Ink;
-  /** In the picture's space. */
+  /** Tip, in the space of the picture. */
   tip: Vector3;
-  /** Of what is no arrow: places that the name may stand beside. */
+  /** For objects other than arrows: points next to which the label may be placed. */
   along?: Vector3[];
 }
 
 export interface PlacedLabel extends Label {
-  /** Of its middle, px. */
+  /** Centre of the label, px. */
   x: number;
   y: number;
-  /** Of the tip, px. */
+  /** Tip, px. */
   tipX: number;
   tipY: number;
-  /** Where the line from the tip ends, and whether it is drawn. */
+  /** End of the line from the tip, and whether it is drawn. */
   endX: number;
   endY: number;
   led: boolean;
@@ -40,24 +41,24 @@ interface Made {
   w: number;
   h: number;
   text: string;
-  /** Where it stood, px; it stays near. */
+  /** Last place of the label, px. It stays near this place. */
   last: Point | null;
 }
 
-/** What a picture offers to names, px. */
+/** Areas of a picture for labels, px. */
 interface Field {
   width: number;
   height: number;
   middle: Point;
   hull: Point[];
-  /** Along the arrows. */
+  /** Density along the arrows. */
   arrows: Density;
-  /** Along curves that have names. */
+  /** Density along curves that have labels. */
   curves: Density;
 }
 
 const GAP = 8;
-/** Between two names. */
+/** Distance between two labels, px. */
 const APART = 3;
 
 export class Labels {
@@ -70,13 +71,16 @@ export class Labels {
     this.#host = host;
     this.#lines = svgElement("svg", { class: "leaders" });
     host.append(this.#lines);
-    // What was measured before the font came is measured again.
+    // Labels measured before the font was loaded are measured again.
     void document.fonts.ready.then(() => {
       for (const made of this.#made.values()) measure(made);
     });
   }
 
-  /** `outline`: points of the body's hull, in the picture's space, `from`: where its arrows begin. Arrows are before names of other things. */
+  /**
+   * Draws labels. `outline`: points of the body's hull, in the space of the picture. `from`: origin
+   * of its arrows. Arrows come before labels of other objects.
+   */
   draw(labels: Label[], outline: Vector3[], from: Vector3, camera: Camera, width: number, height: number): void {
     const project = (p: Vector3): Point => {
       const v = p.clone().project(camera);
@@ -84,7 +88,7 @@ export class Labels {
     };
     const middle = project(from);
     const hull = outline.map(project);
-    // The outer halves of the arrows, which no other name covers.
+    // Outer halves of the arrows, which no other label covers.
     const shafts = labels.map(({ tip, along }) => (along ? [] : dense([0.5, 1].map((part) => project(tip.clone().sub(from).multiplyScalar(part).add(from))))));
     const lines = labels.map(({ along }) => (along ?? []).map(project));
     const arrows = new Density(shafts.flat(), width, height);
@@ -108,7 +112,7 @@ export class Labels {
   }
 
   #put(label: Label, made: Made, { at: [x, y], tip: [tipX, tipY] }: { at: Point; tip: Point }): void {
-    // From the edge of the text to the tip.
+    // Line from the edge of the text to the tip.
     const [dx, dy] = [tipX - x, tipY - y];
     const inside = Math.min(made.w / 2 / Math.max(Math.abs(dx), 1e-9), (made.h / 2 - 2) / Math.max(Math.abs(dy), 1e-9), 1);
     const gap = (1 - inside) * Math.hypot(dx, dy);
@@ -124,7 +128,7 @@ export class Labels {
     for (const [name, value] of Object.entries(ends)) made.line.setAttribute(name, value.toFixed(1));
   }
 
-  /** At an arrow's tip; null if there is no room. */
+  /** Finds a place at the tip of an arrow; null if there is no room. */
   #outside([tipX, tipY]: Point, own: Point[], made: Made, field: Field): { at: Point; tip: Point } | null {
     const { middle, hull, width, height, arrows, curves } = field;
     const [dx, dy] = [tipX - middle[0], tipY - middle[1]];
@@ -135,7 +139,7 @@ export class Labels {
       for (let turn = 0; turn < 52; turn += 1) {
         const a = angle + (turn % 2 === 0 ? 1 : -1) * Math.ceil(turn / 2) * 0.12;
         const [ux, uy] = [Math.cos(a), Math.sin(a)];
-        // Beyond the hull's farthest point in this direction, all of the label is outside.
+        // Beyond the hull's farthest point in this direction, the whole label is outside.
         const support = hull.reduce((far, [x, y]) => Math.max(far, (x - middle[0]) * ux + (y - middle[1]) * uy), 0);
         const half = (Math.abs(ux) * made.w + Math.abs(uy) * made.h) / 2;
         const reach = Math.max(support + half + GAP, turn === 0 ? long + half + GAP / 2 : long * 0.9) + 18 * ring;
@@ -152,7 +156,9 @@ export class Labels {
     return second && { at: second, tip: [tipX, tipY] };
   }
 
-  /** Beside one of some points: where least is in the way; null if there is no room. */
+  /**
+   * Finds the place next to one of some points with the least overlap; null if there is no room.
+   */
   #beside(points: Point[], made: Made, field: Field): { at: Point; tip: Point } | null {
     const { width, height, hull, arrows, curves, middle } = field;
     let best: { at: Point; tip: Point } | null = null;
@@ -160,7 +166,7 @@ export class Labels {
     const every = Math.max(1, Math.ceil(points.length / 24));
     for (let k = 0; k < points.length; k += every) {
       const tip = points[k];
-      // Points in the frame only.
+      // Only points in the frame.
       if (tip[0] < 4 || tip[1] < 4 || tip[0] > width - 4 || tip[1] > height - 4) continue;
       for (const far of [14, 30, 52, 80, 115]) {
         for (let turn = 0; turn < 16; turn += 1) {
@@ -194,7 +200,7 @@ export class Labels {
     let made = this.#made.get(key);
     if (!made) {
       const span = document.createElement("span");
-      // Letters are set as formulas are.
+      // Letters are typeset like formulas.
       span.className = [...label.text].length <= 2 ? "label symbol" : "label";
       const line = svgElement("line");
       this.#host.append(span);
@@ -212,7 +218,7 @@ export class Labels {
   }
 }
 
-// Points of a line some pixels apart.
+// Returns points of a line, some pixels apart.
 function dense(points: Point[]): Point[] {
   const all: Point[] = [];
   points.forEach(([x, y], k) => {
@@ -231,12 +237,12 @@ function measure(made: Made): void {
   made.span.hidden = hidden;
 }
 
-// Whether a box of w × h overlaps that of a name, from middle to middle (dx, dy).
+// Returns true if a box of w × h overlaps a label whose centre is at (dx, dy) from its own.
 function near(dx: number, dy: number, made: Made, w: number, h: number): boolean {
   return Math.abs(dx) < (made.w + w) / 2 && Math.abs(dy) < (made.h + h) / 2;
 }
 
-// Whether a place is nearer to the middle than the hull is in that direction.
+// Returns true if a place is nearer to the centre than the hull in the same direction.
 function isInside(hull: Point[], middle: Point, x: number, y: number): boolean {
   const [dx, dy] = [x - middle[0], y - middle[1]];
   const long = Math.hypot(dx, dy) || 1;

@@ -1,4 +1,4 @@
-/** What can be shown in the 3-D view, and in which of its pictures. */
+/** Layers of the 3-D view, and the pictures to which they belong. */
 import type { Object3D } from "three";
 import type { Ink } from "./palette";
 
@@ -7,15 +7,17 @@ export type Picture = "body" | "poinsot" | "cones" | "sphere";
 export interface Layer {
   id: string;
   label: string;
-  /** The colour of its legend; null for what has none of its own. */
+  /** Colour in the legend; null for a layer without its own colour. */
   ink: Ink | null;
   look: "arrow" | "line" | "area";
-  /** The pictures that it belongs to, and whether it is on there. */
+  /** Pictures that contain the layer, and whether it is on there. */
   on: Partial<Record<Picture, boolean>>;
   objects: Object3D[];
 }
 
-/** Shows in a picture what is on there, and nothing else; of that only what is among `ids`, if there are some. */
+/**
+ * Shows the layers that are on in a picture, restricted to `ids` if given, and hides all others.
+ */
 export function apply(layers: Layer[], picture: Picture, ids: readonly string[] | null): void {
   for (const layer of layers) {
     const isAllowed = ids === null || ids.includes(layer.id);

@@ -1,4 +1,6 @@
-/** The light of a scene: from the sky, and from beside the camera, so that no side that one sees is dark. */
+/**
+ * Light of a scene: from the sky, and from a side of the camera, so that no visible side is dark.
+ */
 import { DirectionalLight, HemisphereLight } from "three";
 import type { OrbitCamera } from "./camera";
 

@@ -1,4 +1,4 @@
-/** Curves of some pixels' width. */
+/** Curves with a width in pixels. */
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
@@ -8,35 +8,35 @@ import type { Ink, Palette } from "./palette";
 
 export interface Pen {
   ink: Ink;
-  /** px */
+  /** Width, px. */
   width: number;
   opacity?: number;
-  /** Below 1 the ink is mixed with the paper's colour. */
+  /** Below 1, the ink is mixed with the colour of the paper. */
   strength?: number;
-  /** Drawn over everything. */
+  /** True if drawn over everything. */
   onTop?: boolean;
-  /** Drawn only where something hides it. */
+  /** True if drawn only where something hides it. */
   behind?: boolean;
 }
 
-/** A curve that stays as it is; `points` are x y z of each, `scale` is multiplied to all. */
+/** Makes a constant curve; `points` are x y z of each, multiplied by `scale`. */
 export function curve(points: ArrayLike<number>, scale: number, pen: Pen, palette: Palette): Line2 {
   const geometry = new LineGeometry();
   geometry.setPositions(Float32Array.from(points, (x) => x * scale));
   return line(geometry, pen, palette);
 }
 
-/** Straight lines; `ends` are x y z of both ends of each. */
+/** Makes straight lines; `ends` are x y z of both ends of each. */
 export function segments(ends: ArrayLike<number>): LineSegmentsGeometry {
   return new LineSegmentsGeometry().setPositions(Float32Array.from(ends));
 }
 
-/** x y z of both ends of each of them. */
+/** Returns x y z of both ends of each line. */
 export function endsOf(lines: LineSegmentsGeometry): ArrayLike<number> {
   return (lines.attributes.instanceStart as InterleavedBufferAttribute).data.array;
 }
 
-/** A curve of at most `capacity` points that changes in every picture. */
+/** A curve of at most `capacity` points that changes in every frame. */
 export class MovingCurve {
   readonly object: Line2;
   readonly #ends: InterleavedBufferAttribute;
@@ -58,12 +58,12 @@ export class MovingCurve {
     this.object.material = lineMaterial(pen, this.#palette);
   }
 
-  /** `point(k, out)` writes the k-th of `count` points. */
+  /** Draws `count` points; `point(k, out)` writes the k-th. */
   draw(count: number, point: (k: number, out: Float32Array) => void): void {
     const n = Math.min(count, this.#capacity);
     this.object.visible = n > 1;
     if (n < 2) return;
-    // Each segment holds both of its ends.
+    // Each segment stores both of its ends.
     const ends = this.#ends.data.array as Float32Array;
     const here = this.#here;
     for (let k = 0; k < n; k += 1) {

@@ -1,4 +1,7 @@
-/** A point that is seen wherever it is: a dot with a rim of paper, over everything. What is behind a solid is fainter. */
+/**
+ * A point that is always visible: a dot with a rim of paper, over everything, and fainter behind a
+ * solid.
+ */
 import { GreaterDepth, Group, Mesh, MeshBasicMaterial, SphereGeometry } from "three";
 import { kept } from "./dispose";
 import type { Ink, Palette } from "./palette";
@@ -8,7 +11,7 @@ const SPHERE = kept(new SphereGeometry(1, 24, 16));
 export class Marker {
   readonly object = new Group();
 
-  /** `solid`: it may be behind something that hides it. */
+  /** `solid`: the point may be behind an object that hides it. */
   constructor(ink: Ink, radius: number, solid: boolean, palette: Palette) {
     const layers: { ink: Ink; size: number; hidden: boolean }[] = [
       { ink: "paper", size: 1.45, hidden: false },

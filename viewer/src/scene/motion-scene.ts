@@ -1,7 +1,8 @@
 /**
- * What the 3-D view shows of one motion: the body, arrows, axes, and the pictures of a free motion, which are made when they are first
- * shown. Space axes are three's own, with z up; the group `body` has the body's attitude and place, and everything that turns with the body
- * is in it. What turns in its place is at the origin.
+ * Contents of the 3-D view for one motion: the body, arrows, axes, and the pictures of a free
+ * motion, which are made when they are first shown. Space axes are those of three.js, with z up.
+ * The group `body` has the attitude and position of the body and contains everything that rotates
+ * with it. A body that turns in place is at the origin.
  */
 import { Group, type Object3D, Quaternion, Vector3 } from "three";
 import { inverse, type Quaternion as Attitude, rotate, type Vector } from "../attitude";
@@ -25,12 +26,12 @@ import { HeavyBody } from "./top";
 import { axis, Trail, type TrailCurves, type Trailed } from "./trails";
 import { Wheels } from "./wheels";
 
-/** The longest arrow of the body's picture, where the body's radius is 1. */
+/** Length of the longest arrow in the body's picture, relative to the body's radius. */
 const LONGEST = 1.5;
-/** Arrows keep the scale that they had as long as the longest is between these. */
+/** Range of the longest arrow within which arrows keep their scale. */
 const KEPT = [0.35 * LONGEST, 1.7 * LONGEST] as const;
 const AXES = 1.3;
-/** Places of a name that are looked at at every time. */
+/** Maximum number of places of a label that are examined at every time. */
 const FEW = 20;
 const THICK = 0.019;
 
@@ -43,16 +44,16 @@ interface Scales {
 export class MotionScene {
   readonly space = new Group();
   readonly body = new Group();
-  /** Arrows that begin at the body's middle. */
+  /** Arrows that begin at the centre of the body. */
   readonly #carried = new Group();
   readonly layers: Layer[] = [];
   readonly model: BodyModel;
   readonly pictures: Picture[];
   readonly principal: Quaternion;
-  /** Whose trail tells most. */
+  /** The most informative trail. */
   readonly telling: Trailed;
   readonly omega: Arrow;
-  /** Length of 1 of each in the body's picture. */
+  /** Length of a unit of each arrow in the body's picture. */
   readonly scales: Scales;
   poinsot: Poinsot | null = null;
   cones: Cones | null = null;
@@ -69,14 +70,17 @@ export class MotionScene {
   readonly #contact: ContactScene | null;
   readonly #wheels: Wheels | null;
   readonly #contents: Contents;
-  /** Pictures with the layers that are on in them at first. */
+  /** Pairs of a picture and a layer that is on in it at first. */
   readonly #first: Set<string>;
   readonly #trails = new Map<Trailed, Trail>();
   readonly #trailGroup: Group;
-  /** A place in the body, where it is in space. */
+  /** Converts a place in the body to space. */
   readonly #turned = (p: Vector3): Vector3 => p.clone().applyQuaternion(this.body.quaternion).add(this.body.position);
 
-  /** `before`: what was shown until now, of which switches are kept, and scales and frames: whatever they are if `isHeld`, else if they fit. */
+  /**
+   * `before` is the previous scene. Its switches are kept, and its scales and frames if they fit,
+   * or always if `isHeld`.
+   */
   constructor(page: PageData, motion: Motion, trail: Group, palette: Palette, before: MotionScene | null, isHeld = false) {
     this.#page = page;
     this.#motion = motion;
@@ -109,12 +113,12 @@ export class MotionScene {
     }
   }
 
-  /** Gives back what the graphics card holds; what a later scene took over is in that one. */
+  /** Releases GPU memory, except for objects that a later scene took over. */
   dispose(): void {
     for (const part of [this.space, this.body]) dispose(part, this.#palette);
   }
 
-  /** Makes what a picture shows. */
+  /** Makes the contents of a picture. */
   open(picture: Picture): void {
     if (!this.#free) return;
     if (picture === "poinsot" && !this.poinsot) {
@@ -139,7 +143,7 @@ export class MotionScene {
     }
   }
 
-  /** As it is at `time`, or with another attitude. */
+  /** Updates the scene to `time`, or to a given attitude. */
   pose(time: number, picture: Picture, trailed: Trailed, trails: TrailCurves, held: Attitude | null): void {
     const now = this.#motion.at(time);
     if (held) now.attitude = held;
@@ -150,12 +154,15 @@ export class MotionScene {
     if (picture === "sphere") this.sphere?.draw(rotate(inverse(now.attitude), now.momentum));
   }
 
-  /** Where the body is. */
+  /** Position of the body. */
   get middle(): Vector3 {
     return this.body.position;
   }
 
-  /** The frame in which the camera's place is measured. In Poinsot's picture and the cones' the invariable plane is level: up is L. */
+  /**
+   * Sets the frame of the camera's position. In Poinsot's picture and that of the cones, the
+   * invariable plane is horizontal, with L upward.
+   */
   aim(picture: Picture, rides: "space" | "body", frame: Quaternion): void {
     const level = picture === "poinsot" ? this.poinsot : picture === "cones" ? this.cones : null;
     frame.identity();
@@ -165,7 +172,10 @@ export class MotionScene {
     } else if (level) frame.setFromUnitVectors(new Vector3(0, 0, 1), level.up);
   }
 
-  /** What the camera has to see, in the frame of `aim`: of what is on or was at first, as switching off does not move it. */
+  /**
+   * Returns the points that the camera must see, in the frame of `aim`. It includes layers that are
+   * on now or were at first, so that switching a layer off does not move the camera.
+   */
   content(picture: Picture, rides: "space" | "body"): Vector3[] {
     const seen = (id: string): boolean => this.#isOn(id, picture) || this.#first.has(`${picture} ${id}`);
     const shown = this.layers.filter(({ id }) => seen(id)).map(({ id }) => id);
@@ -174,7 +184,7 @@ export class MotionScene {
 
   #seen(shown: ReadonlySet<string>, picture: Picture, rides: "space" | "body"): Seen {
     const moves = this.#contact !== null;
-    // With the body the camera goes along, and sees no more of the ground than is behind it.
+    // A camera that rotates with the body moves with it, and sees only the ground behind the body.
     const [goesAlong, origin] = [moves && rides === "body", new Vector3()];
     const seen = (id: string): boolean => shown.has(id) && !(goesAlong && id === "space-axes");
     const outline = this.#outline(seen, picture);
@@ -187,10 +197,11 @@ export class MotionScene {
         back.invert();
         const named = this.#names(seen, picture, time, null).flatMap(({ tip, along }) => {
           if (!along) return [tip];
-          // Those of curves are many.
+          // Curves have many of these.
           return isWhole || along.length <= FEW ? along : [];
         });
-        // Tips of arrows are other places at other times, as is all of a body that moves.
+        // Tips of arrows are at different places at different times, and so is all of a moving
+        // body.
         const moved = moves && isWhole ? outline.map(this.#turned) : [];
         if (goesAlong) origin.copy(this.middle);
         return [...named, ...moved, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().sub(origin).applyQuaternion(back));
@@ -200,12 +211,12 @@ export class MotionScene {
     };
   }
 
-  /** From here on the frames are those of this motion alone. */
+  /** Makes the following frames independent of the previous motion. */
   refit(): void {
     this.#contents.refit();
   }
 
-  // The body and the arrows.
+  // Updates the body and the arrows.
   #turn(now: Moment, time: number, picture: Picture): void {
     const [w, x, y, z] = now.attitude;
     this.body.quaternion.set(x, y, z, w);
@@ -216,7 +227,7 @@ export class MotionScene {
     const omega = rotate(now.attitude, now.omega).map((c) => c * omegaScale) as Vector;
     this.omega.point(...omega);
     this.poinsot?.contact.position.set(...omega);
-    // Beside the body's picture only the direction of L has a meaning.
+    // Except in the body's picture, only the direction of L is meaningful.
     const shown = picture === "poinsot" ? (this.poinsot?.arrow ?? 1) : 1.25;
     const long = picture === "body" ? this.scales.momentum : shown / length(now.momentum);
     this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
@@ -231,12 +242,12 @@ export class MotionScene {
     return this.layers.find((layer) => layer.id === id)?.on[picture] === true;
   }
 
-  /** Of what is on, or only of `ids`. */
+  /** Returns labels of visible layers, optionally only of `ids`. */
   labels(picture: Picture, time: number, eye: Vector3, ids: readonly string[] | null): Label[] {
     return this.#names((id) => (ids?.includes(id) ?? true) && this.#isOn(id, picture), picture, time, eye);
   }
 
-  // Without an eye none of those that depend on where it is.
+  // Without an eye, labels that depend on its position are omitted.
   #names(on: (id: string) => boolean, picture: Picture, time: number, eye: Vector3 | null): Label[] {
     const turned = this.#turned;
     const labels: Label[] = [];
@@ -249,16 +260,16 @@ export class MotionScene {
     if (picture === "poinsot") labels.push(...(this.poinsot?.labels(on, turned) ?? []));
     if (picture === "cones") labels.push(...(this.cones?.labels(on, turned) ?? []));
     if (picture === "sphere" && eye) labels.push(...(this.sphere?.labels(on, turned, eye) ?? []));
-    // Arrows first: other names go where there is room.
+    // Arrows first: other labels get the remaining space.
     return [...labels.filter(({ along }) => !along), ...labels.filter(({ along }) => along)];
   }
 
-  /** Points around what no name of an arrow may cover. */
+  /** Returns points that no label of an arrow may cover. */
   outline(picture: Picture, eye: Vector3): Vector3[] {
     return picture === "sphere" ? round(eye) : this.#outline((id) => this.#isOn(id, picture), picture).map(this.#turned);
   }
 
-  // As the body has them.
+  // Returns the outline in body axes.
   #outline(on: (id: string) => boolean, picture: Picture): Vector3[] {
     if (picture === "poinsot" && this.poinsot) return this.poinsot.outline;
     if (picture === "cones" && this.cones) return this.cones.outline;
@@ -289,11 +300,11 @@ export class MotionScene {
       this.space.add(this.#contact.space);
       this.body.add(this.#contact.body);
       this.layers.push(...this.#contact.layers);
-      // About the origin of a bowl there is nothing else.
+      // At the origin of a bowl there is nothing else.
       const spaceAxes = this.layers.find(({ id }) => id === "space-axes");
       if (spaceAxes && this.#motion.contact?.ground.form !== "plane") spaceAxes.on.body = false;
     }
-    // On the ground the point of contact leaves its own.
+    // A body on the ground has the curve of its contact point instead.
     this.#put("trail", "Trail", null, "line", { body: this.#contact === null }, this.#trailGroup);
     if (this.#page.body.about === "pivot") {
       const { object } = new Marker("ink", 0.03, false, this.#palette);
@@ -311,7 +322,7 @@ export class MotionScene {
     if (this.#free) this.#describe(this.#free);
   }
 
-  // What the pictures show, before they are made.
+  // Describes the layers of the pictures before these are made.
   #describe(free: FreeData): void {
     this.#put("inertia", "Inertia ellipsoid", null, "area", { poinsot: true });
     this.#put("plane", "Invariable plane", "faint", "area", { poinsot: true });
@@ -322,7 +333,7 @@ export class MotionScene {
     this.#put("space-cone", "Space cone", "torque", "area", { cones: true });
     this.#put("sphere", "Momentum sphere", null, "area", { sphere: true });
     this.#put("family", "Other motions", "contour", "line", { sphere: true });
-    // A symmetric body has none.
+    // A symmetric body has no separatrix.
     this.#put("separatrix", "Separatrix", "ink", "line", free.separatrix.some(({ length }) => length > 0) ? { sphere: true } : {});
     this.#put("trace", "This motion", "omega", "line", { sphere: true });
     this.#put("mark", "L now", "ink", "area", { sphere: true });
@@ -348,7 +359,10 @@ export class MotionScene {
   }
 }
 
-/** Of the first `telling` samples the longest arrow is LONGEST, or what it is at the scale that was. */
+/**
+ * Returns the scale at which the longest arrow of the first `telling` samples has the length
+ * LONGEST, or the previous scale if it fits.
+ */
 function scale(before: number | undefined, telling: number, ...rows: Float64Array[]): number {
   let most = 0;
   for (const values of rows) for (let i = 0; i < telling; i += 1) most = Math.max(most, Math.abs(values[i]));
@@ -356,7 +370,10 @@ function scale(before: number | undefined, telling: number, ...rows: Float64Arra
   return most > 0 ? LONGEST / most : 0;
 }
 
-/** The body axis whose trail tells most: the lever's, the symmetry axis, else the one that is nearest to ω at the start. */
+/**
+ * Returns the body axis with the most informative trail: that of the lever, the symmetry axis, else
+ * the axis nearest to ω at the start.
+ */
 function telling(page: PageData, motion: Motion): Trailed {
   const { lever, principal } = page.body;
   const [i1, i2, i3] = principal.moments;
@@ -369,7 +386,7 @@ function telling(page: PageData, motion: Motion): Trailed {
   return (["axis-1", "axis-2", "axis-3"] as const)[sizes.indexOf(Math.max(...sizes))] ?? "axis-1";
 }
 
-// The rim of the unit sphere as a camera sees it.
+// Returns the rim of the unit sphere as seen by a camera.
 function round(eye: Vector3): Vector3[] {
   const n = eye.clone().normalize();
   const a = new Vector3(-n.y, n.x, 0).normalize();

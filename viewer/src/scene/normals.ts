@@ -1,25 +1,30 @@
 /**
- * Normals of a mesh: smooth where its faces nearly agree, sharp at edges. Each corner has the mean normal of the faces around its
- * vertex that are within the crease angle of its own, weighted by their areas.
+ * Normals of a mesh: smooth where its faces nearly agree, sharp at edges. Each corner has the mean
+ * normal of those faces around its vertex that are within the crease angle of its own, weighted by
+ * area.
  */
 import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from "three";
 
 const ANGLE = (35 * Math.PI) / 180;
 const CREASE = Math.cos(ANGLE);
-/** If all faces around a vertex are so near to their mean, each is within the crease angle of every other. */
+/**
+ * Angle limit: if all faces around a vertex are this close to their mean, each is within the crease
+ * angle of every other.
+ */
 const SMOOTH = Math.cos(0.499 * ANGLE);
 
-// Plain loops over numbers: arrays and calls for each corner would take most of the time in which a large mesh is shown.
+// Plain loops over numbers, because arrays and calls for each corner would take most of the time
+// for a large mesh.
 export function creased(vertices: Float32Array, triangles: Uint32Array): BufferGeometry {
   const { faces, sizes } = faceNormals(vertices, triangles);
   const { first, around } = cornersAround(vertices.length / 3, triangles);
-  // Where its corners differ, a vertex is there for each of them.
+  // Vertices whose corners differ are duplicated.
   const index = around.length > 0 ? triangles.slice() : triangles;
   const positions = around.length > 0 ? new Float32Array(vertices.length + 3 * around.length) : vertices;
   const normals = new Float32Array(positions.length);
   if (around.length > 0) positions.set(vertices);
   let count = vertices.length / 3;
-  // A vertex of one face has its normal.
+  // A vertex of a single face has its normal.
   for (let t = 0, face = 0; t < triangles.length; t += 3, face += 1) {
     const size = sizes[face] || 1;
     const x = faces[t] / size;
@@ -34,7 +39,10 @@ export function creased(vertices: Float32Array, triangles: Uint32Array): BufferG
     }
   }
   const sum = new Float64Array(3);
-  /** Adds the faces at around[from] … around[to − 1] that go so far along (u, v, w), each of its size. Whether all do. */
+  /**
+   * Adds the faces at around[from] … around[to − 1] whose component along (u, v, w), relative to
+   * their size, is at least `least`. Returns true if all qualify.
+   */
   const add = (from: number, to: number, u: number, v: number, w: number, least: number): boolean => {
     let isAll = true;
     let x = 0;
@@ -92,7 +100,7 @@ export function creased(vertices: Float32Array, triangles: Uint32Array): BufferG
   return geometry;
 }
 
-// (b − a) × (c − a), twice the area long; and how long that is.
+// Returns (b − a) × (c − a), whose length is twice the area, and that length.
 function faceNormals(v: Float32Array, triangles: Uint32Array): { faces: Float32Array; sizes: Float64Array } {
   const faces = new Float32Array(triangles.length);
   const sizes = new Float64Array(triangles.length / 3);
@@ -114,7 +122,7 @@ function faceNormals(v: Float32Array, triangles: Uint32Array): { faces: Float32A
   return { faces, sizes };
 }
 
-// The corners at vertex i, if they are several, are around[first[i]] … around[first[i + 1] − 1].
+// The corners at vertex i, if there are several, are around[first[i]] … around[first[i + 1] − 1].
 function cornersAround(count: number, triangles: Uint32Array): { first: Uint32Array; around: Uint32Array } {
   const uses = new Uint32Array(count);
   for (let corner = 0; corner < triangles.length; corner += 1) uses[triangles[corner]] += 1;
@@ -122,7 +130,7 @@ function cornersAround(count: number, triangles: Uint32Array): { first: Uint32Ar
   let several = 0;
   for (let i = 0; i < count; i += 1) first[i + 1] = several += uses[i] > 1 ? uses[i] : 0;
   const around = new Uint32Array(several);
-  // From behind: what is left of its uses is the place of a corner at its vertex.
+  // In reverse order: the remaining count of its uses is the place of a corner at its vertex.
   for (let corner = triangles.length - 1; several > 0 && corner >= 0; corner -= 1) {
     const vertex = triangles[corner];
     if (first[vertex] !== first[vertex + 1]) around[first[vertex] + (uses[vertex] -= 1)] = corner;
@@ -130,7 +138,7 @@ function cornersAround(count: number, triangles: Uint32Array): { first: Uint32Ar
   return { first, around };
 }
 
-// Around the box around them.
+// Returns the sphere around the bounding box.
 function sphereAround(points: Float32Array): Sphere {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];

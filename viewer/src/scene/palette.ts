@@ -1,6 +1,7 @@
 /**
- * Colours of the 3-D view, from the same style sheet as the page, and the materials that have them. A material that is bound to a name
- * follows the theme. Axes have the colours of Okabe and Ito, which colour-blind people can tell apart.
+ * Colours of the 3-D view, from the style sheet of the page, and their materials. A material bound
+ * to a name follows the theme. Axes have the colours of Okabe and Ito, which are distinguishable
+ * for colour-blind people.
  */
 import { Color, type Material } from "three";
 import { ink as colour } from "../theme";
@@ -30,13 +31,19 @@ export class Palette {
   readonly #shared = new Map<string, Material>();
   readonly #owned = new Set<Material>();
 
-  /** Gives the colour its value, now and whenever the theme changes; below strength 1 it is mixed with the paper's. */
+  /**
+   * Sets the colour, now and whenever the theme changes. Below strength 1 it is mixed with the
+   * colour of the paper.
+   */
   bind(color: Color, ink: Ink, strength = 1): void {
     this.#bound.set(color, { ink, strength });
     this.#set(color, ink, strength);
   }
 
-  /** A material that all who ask for the same share; it outlives what is drawn with it, so that its program is compiled once. */
+  /**
+   * Returns a shared material. It outlives the objects drawn with it, so that its program is
+   * compiled once.
+   */
   shared<M extends Material & { color: Color }>(kind: string, ink: Ink, make: () => M, strength = 1): M {
     const key = `${kind} ${ink} ${strength}`;
     const known = this.#shared.get(key);
@@ -48,12 +55,12 @@ export class Palette {
     return made;
   }
 
-  /** Whether all share it. */
+  /** Returns true if the material is shared. */
   owns(material: Material): boolean {
     return this.#owned.has(material);
   }
 
-  /** A material is no more. */
+  /** Removes a material that is no longer used. */
   forget(material: Material): void {
     if ("color" in material && material.color instanceof Color) this.#bound.delete(material.color);
   }

@@ -1,17 +1,17 @@
-/** A piece of a surface with lines on it: seen through, from both sides. */
+/** A piece of a surface with lines on it, transparent and visible from both sides. */
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, type Vector3 } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { lineMaterial, segments } from "./lines";
 import type { Palette } from "./palette";
 
-/** Pieces of a side: a round one looks round. */
+/** Number of pieces of a side, so that a round one looks round. */
 const FINE = 72;
 
 export interface Patch {
   at: (u: number, v: number) => Vector3;
   u: [number, number];
   v: [number, number];
-  /** Where lines of constant u, and of constant v, are. */
+  /** Places of the lines of constant u, and of constant v. */
   alongV: number[];
   alongU: number[];
 }

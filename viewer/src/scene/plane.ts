@@ -1,4 +1,4 @@
-/** A round piece of a plane across z, with rings and radii. */
+/** A round piece of a plane perpendicular to z, with rings and radii. */
 import { CircleGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { curve } from "./lines";
 import type { Palette } from "./palette";
@@ -22,7 +22,7 @@ export function plane(reach: number, palette: Palette): Group {
   return group;
 }
 
-/** Points around its edge. */
+/** Returns points around its edge. */
 export function rim(reach: number): Vector3[] {
   return Array.from({ length: 24 }, (_, k) => {
     const a = (k / 24) * 2 * Math.PI;

@@ -1,7 +1,8 @@
 /**
- * Poinsot's picture of a free motion, in the space of ω. The energy ellipsoid ω·Iω = 2T is fixed in the body; it rolls without slipping
- * on the invariable plane ω·L = 2T, which is fixed in space, and touches it at the tip of ω. The point of contact draws the polhode on
- * the ellipsoid and the herpolhode on the plane.
+ * Poinsot's picture of a free motion, in the space of ω. The energy ellipsoid ω·Iω = 2T is fixed in
+ * the body. It rolls without slipping on the invariable plane ω·L = 2T, which is fixed in space,
+ * and touches it at the tip of ω. The contact point traces the polhode on the ellipsoid and the
+ * herpolhode on the plane.
  */
 import {
   BackSide,
@@ -26,17 +27,17 @@ import { plane, rim } from "./plane";
 const SPHERE = kept(new SphereGeometry(1, 64, 48));
 
 export class Poinsot {
-  /** Turn with the body. */
+  /** Groups that rotate with the body. */
   readonly ellipsoid = new Group();
   readonly polhode = new Group();
-  /** Stay in space. */
+  /** Groups fixed in space. */
   readonly plane = new Group();
   readonly herpolhode = new Group();
-  /** At the tip of ω, where the ellipsoid touches the plane. */
+  /** Mark at the tip of ω, where the ellipsoid touches the plane. */
   readonly contact: Group;
   /** Length of 1 rad/s in the picture. */
   readonly scale: number;
-  /** The length of L's arrow, through the plane. */
+  /** Length of the arrow of L, through the plane. */
   readonly arrow: number;
   readonly outline: Vector3[];
   /** Direction of L in space. */
@@ -45,7 +46,8 @@ export class Poinsot {
   constructor(free: FreeData, body: BodyData, motion: Motion, palette: Palette) {
     const polhode = points(free.polhode, "polhode");
     const herpolhode = points(free.herpolhode, "herpolhode");
-    // a_k = √(2T/i_k); a rod's ellipsoid is a cylinder without end, drawn some way.
+    // Semi-axes a_k = √(2T/i_k). The ellipsoid of a rod is an infinite cylinder, of which a part is
+    // drawn.
     const fastest = largest(polhode);
     const half = body.principal.moments.map((i) =>
       Math.min(i > 0 ? Math.sqrt((2 * free.energy) / i) : Infinity, 6 * fastest),
@@ -63,7 +65,7 @@ export class Poinsot {
       this.ellipsoid.add(mesh);
     }
     for (const k of [0, 1, 2]) {
-      // The sections with the principal planes show how it turns.
+      // The sections with the principal planes make the rotation visible.
       const circle = Array.from({ length: 129 }, (_, i) => {
         const a = (i / 128) * 2 * Math.PI;
         const v = [0, 0, 0];
@@ -83,7 +85,7 @@ export class Poinsot {
       this.herpolhode.add(curve(herpolhode, this.scale, { ink: "torque", width: 2.2 }, palette));
     }
 
-    // The plane lies at the distance 2T/|L| along L.
+    // The plane is at the distance 2T/|L| along L.
     this.up = new Vector3(...at(motion.momentum, 0)).normalize();
     const distance = ((2 * free.energy) / free.momentum) * this.scale;
     const reach = Math.max(widest(herpolhode, this.up) * this.scale * 1.3, 0.85);
@@ -108,7 +110,7 @@ export class Poinsot {
   readonly #polhode: Vector3[];
   readonly #herpolhode: Vector3[];
 
-  /** Names, where `turned` takes a place in the body to space. */
+  /** Returns labels; `turned` converts a place in the body to space. */
   labels(on: (id: string) => boolean, turned: (p: Vector3) => Vector3): Label[] {
     const labels: Label[] = [];
     const put = (layer: string, text: string, ink: Label["ink"], along: Vector3[]): void => {
@@ -121,7 +123,7 @@ export class Poinsot {
   }
 }
 
-/** Some of the points of a curve. */
+/** Returns some of the points of a curve. */
 export function spread(rows: Float64Array, scale: number): Vector3[] {
   const every = Math.max(3, 3 * Math.ceil(rows.length / 72));
   const points: Vector3[] = [];
@@ -135,7 +137,7 @@ function largest(rows: Float64Array): number {
   return best;
 }
 
-// The distance from the line along `up`.
+// Returns the largest distance from the line along `up`.
 function widest(rows: Float64Array, up: Vector3): number {
   let best = 0;
   for (let i = 0; 3 * i < rows.length; i += 1) {

@@ -1,6 +1,6 @@
 /**
- * The 3-D view: the canvas with its camera, light and names, and on it the scene of a motion, which may give place to that of another. A
- * frame is drawn only if something changed.
+ * The 3-D view: the canvas with its camera, light and labels, and the scene of a motion, which can
+ * be replaced. A frame is drawn only after a change.
  */
 import { Quaternion, Scene, Vector3, WebGLRenderer } from "three";
 import type { Quaternion as Attitude } from "../attitude";
@@ -16,21 +16,21 @@ import { MotionScene } from "./motion-scene";
 import { Palette } from "./palette";
 import { TrailCurves, type Trailed } from "./trails";
 
-/** What is shown of a body before it moves. */
+/** Layers shown before the motion. */
 const BARE = ["body", "ellipsoid", "pivot", "space-axes", "body-axes"];
 
 export class View {
   readonly orbit: OrbitCamera;
   readonly labels: Labels;
   picture: Picture = "body";
-  /** Whose axes the camera keeps: those of space, or the body's. */
+  /** Axes that the camera keeps: those of space, or those of the body. */
   rides: "space" | "body" = "space";
   trailed: Trailed;
-  /** An attitude to show instead of the motion's: a body in the hand. */
+  /** Attitude shown instead of the motion's: that of a body in the hand. */
   held: Attitude | null = null;
-  /** Arrows keep their scale whatever comes: one of them is in the hand. */
+  /** True while an arrow is dragged: arrows then keep their scale. */
   isHeld = false;
-  /** What else is to be done when a frame is drawn. */
+  /** Callbacks for each drawn frame. */
   readonly drawn: (() => void)[] = [];
 
   readonly #canvas: HTMLCanvasElement;
@@ -40,12 +40,15 @@ export class View {
   readonly #light = new Light();
   readonly #trails: TrailCurves;
   #shown: MotionScene;
-  /** Until the next frame is drawn, so that programs of materials are not compiled again. */
+  /**
+   * Scenes kept until the next frame is drawn, so that programs of materials are not compiled
+   * again.
+   */
   #gone: MotionScene[] = [];
   #time: number;
   #size = { width: 1, height: 1 };
   #waiting = false;
-  /** The layers that may be seen; null for all that are on. */
+  /** Ids of the layers that may be visible; null for no restriction. */
   #allowed: readonly string[] | null = null;
 
   /** Throws if the browser has no WebGL. */
@@ -53,7 +56,8 @@ export class View {
     this.#canvas = canvas;
     this.#time = motion.times[0];
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    // Asking for errors waits for the compiler, a large part of the time to the first frame.
+    // Checking for errors would wait for the compiler, which takes a large part of the time to the
+    // first frame.
     this.#renderer.debug.checkShaderErrors = false;
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.orbit = new OrbitCamera(canvas, () => this.invalidate(), () => this.#shown.refit());
@@ -78,26 +82,32 @@ export class View {
     return this.#shown.pictures;
   }
 
-  /** Of the arrow of ω, in the picture's space: where it begins, its tip from there, and how long 1 rad/s is. Null if it is not shown. */
+  /**
+   * Arrow of ω in the space of the picture: its origin, its tip relative to it, and the length of
+   * 1 rad/s. Null if it is not shown.
+   */
   get omega(): { foot: Vector3; tip: Vector3; scale: number } | null {
     const isOn = this.layers.find(({ id }) => id === "omega")?.on[this.picture] === true;
     const { middle, omega, scales } = this.#shown;
     return this.picture === "body" && isOn ? { foot: middle, tip: omega.tip, scale: scales.omega } : null;
   }
 
-  /** (w, x, y, z) of the body as it is shown now. */
+  /** Attitude (w, x, y, z) of the displayed body. */
   get attitude(): Attitude {
     const q = this.#shown.body.quaternion;
     return [q.w, q.x, q.y, q.z];
   }
 
-  /** Where a point of the picture's space is on the canvas, px. */
+  /** Returns the place of a point on the canvas, px. */
   project(point: Vector3): [number, number] {
     const v = point.clone().project(this.orbit.camera);
     return [(0.5 + v.x / 2) * this.#size.width, (0.5 - v.y / 2) * this.#size.height];
   }
 
-  /** The point under a place of the canvas, px, in the plane through `through` that faces the camera. */
+  /**
+   * Returns the point under a place of the canvas, px, in the plane through `through` that faces
+   * the camera.
+   */
   unproject(x: number, y: number, through: Vector3): Vector3 {
     const { camera } = this.orbit;
     const ray = new Vector3((2 * x) / this.#size.width - 1, 1 - (2 * y) / this.#size.height, 0.5).unproject(camera).sub(camera.position);
@@ -106,13 +116,13 @@ export class View {
     return ray.multiplyScalar(reach).add(camera.position);
   }
 
-  /** Objects on the graphics card. */
+  /** Numbers of objects on the graphics card. */
   get memory(): { geometries: number; textures: number; programs: number } {
     const { memory, programs } = this.#renderer.info;
     return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
   }
 
-  /** Shows another motion from where the person looks; `anew`: as the first one was shown. */
+  /** Shows another motion with the present camera, or, with `anew`, as a first one. */
   replace(page: PageData, motion: Motion, anew: boolean): void {
     const before = this.#shown;
     this.#shown = new MotionScene(page, motion, this.#trails.object, this.#palette, anew ? null : before, this.isHeld);
@@ -120,7 +130,7 @@ export class View {
     before.body.removeFromParent();
     this.#scene.add(this.#shown.space, this.#shown.body);
     this.#gone.push(before);
-    // A window that is not seen draws no frame.
+    // An invisible window draws no frames.
     if (this.#gone.length > 2) this.#gone.shift()?.dispose();
     if (anew) this.trailed = this.#shown.telling;
     if (anew || !this.pictures.includes(this.picture)) this.show("body");
@@ -152,7 +162,7 @@ export class View {
     apply(this.layers, this.picture, this.#allowed);
   }
 
-  /** Whether only the body and its axes are shown, and nothing of its motion. */
+  /** Shows only the body and its axes, without its motion. */
   set isBare(isBare: boolean) {
     if (isBare === (this.#allowed !== null)) return;
     this.#allowed = isBare ? BARE : null;
@@ -161,14 +171,14 @@ export class View {
     this.invalidate();
   }
 
-  // Where the camera's home is.
+  // Sets the home position of the camera.
   #frame(): void {
     const { orbit } = this;
     orbit.homeHeight = { body: 0.36, poinsot: 0.5, cones: 0.45, sphere: 0.4 }[this.picture];
     orbit.homeAzimuth = 0.62;
     const middle = this.#shown.sphere?.middle;
     if (this.picture === "sphere" && middle) {
-      // This motion's curve is in front.
+      // The curve of this motion is in front.
       orbit.homeHeight = middle.z > 0.3 ? 0.6 : middle.z < -0.3 ? -0.6 : 0.4;
       if (Math.hypot(middle.x, middle.y) > 0.3) orbit.homeAzimuth = Math.atan2(middle.y, middle.x) + 0.5;
     }
@@ -210,8 +220,9 @@ export class View {
   }
 
   /**
-   * A frame of `time`, of so many pixels of the page: on the screen, or for a file with a renderer and names of its own. With an attitude
-   * that is not the motion's if the body is in the hand.
+   * Draws a frame of `time` with the given size in pixels of the page: on the screen, or for a file
+   * with its own renderer and labels. `held` replaces the attitude of the motion while the body is
+   * in the hand.
    */
   draw(renderer: WebGLRenderer, labels: Labels, time: number, width: number, height: number, held: Attitude | null = null): void {
     const { picture, orbit } = this;
@@ -229,7 +240,7 @@ export class View {
     labels.draw(names, shown.outline(picture, camera.position), shown.middle, camera, width, height);
   }
 
-  /** (w, x, y, z) of the body as the scene has it at `time`. */
+  /** Returns the attitude (w, x, y, z) of the body in the scene at `time`. */
   attitudeAt(time: number): Attitude {
     this.#pose(time, null);
     this.#shown.body.updateMatrixWorld(true);
@@ -238,7 +249,7 @@ export class View {
     return [q.w, q.x, q.y, q.z];
   }
 
-  /** The frame as it is on the screen, labels too. */
+  /** Returns the frame as on the screen, with labels. */
   photograph(): HTMLCanvasElement {
     this.render();
     const out = document.createElement("canvas");

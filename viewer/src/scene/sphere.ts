@@ -1,6 +1,7 @@
 /**
- * The momentum sphere: the direction of L as the body sees it, in principal axes. Free motions of this body are the contours of T on it;
- * the separatrix parts those around the least axis from those around the greatest.
+ * The momentum sphere: the direction of L in the body, in principal axes. Free motions of this body
+ * are contours of T on it. The separatrix divides those around the axis of least moment from those
+ * around that of greatest.
  */
 import { Group, Mesh, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
 import type { BodyData, FreeData, Row } from "../data";
@@ -12,20 +13,20 @@ import { Marker } from "./marker";
 import type { Palette } from "./palette";
 import { spread } from "./poinsot";
 
-/** Lines lie this far above the sphere. */
+/** Radius of the lines on the sphere. */
 const ABOVE = 1.004;
 
 const SPHERE = kept(new SphereGeometry(1, 96, 64));
 
 export class MomentumSphere {
-  /** Turns with the body. */
+  /** Group that rotates with the body. */
   readonly object = new Group();
   readonly family = new Group();
   readonly separatrix = new Group();
   readonly trace = new Group();
-  /** The middle of this motion's curve, principal axes. */
+  /** Centre of the curve of this motion, principal axes. */
   readonly middle = new Vector3();
-  /** At L/|L| now. */
+  /** Mark at the current L/|L|. */
   readonly mark: Group;
   readonly #separatrices: Vector3[];
 
@@ -51,13 +52,13 @@ export class MomentumSphere {
     this.object.quaternion.set(x, y, z, w).normalize();
   }
 
-  /** The direction of L now, in body axes. */
+  /** Moves the mark to the direction of L, body axes. */
   draw(momentum: [number, number, number]): void {
     this.mark.position.set(...momentum).normalize().multiplyScalar(ABOVE);
     this.mark.position.applyQuaternion(this.object.quaternion.clone().invert());
   }
 
-  /** Names, where `turned` takes a place in the body to space; of what `eye` sees. */
+  /** Returns labels visible from `eye`; `turned` converts a place in the body to space. */
   labels(on: (id: string) => boolean, turned: (p: Vector3) => Vector3, eye: Vector3): Label[] {
     if (!on("separatrix")) return [];
     const places = this.#separatrices.map((p) => turned(p.clone().applyQuaternion(this.object.quaternion)));

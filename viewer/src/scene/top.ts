@@ -1,6 +1,6 @@
 /**
- * What belongs to a heavy body at a pivot: the way of its axis, the circles between which it nods, the floor, and gravity's arrow at the
- * centre of mass.
+ * Objects of a heavy body at a pivot: the path of its axis, the circles that bound its nutation,
+ * the floor, and the arrow of gravity at the centre of mass.
  */
 import { Group, Vector3 } from "three";
 import { rotate, type Quaternion, type Vector } from "../attitude";
@@ -19,15 +19,18 @@ const FLOOR = 0.95;
 export class HeavyBody {
   readonly layers: Layer[] = [];
   readonly objects: Group[] = [];
-  /** Where the circles are, for their names: points of each. */
+  /** Circles with their labels: points of each. */
   readonly #circles: { text: string; points: Vector3[] }[] = [];
-  /** Points of the floor's rim. */
+  /** Points of the rim of the floor. */
   #floor: Vector3[] = [];
   readonly #arrow: Arrow;
   readonly #lever: Vector;
   readonly #down: Vector3;
 
-  /** `unit`: metres of length 1; the axis is `reach` long. Null without gravity. */
+  /**
+   * Makes the objects; null without gravity. `unit`: metres of length 1; `reach`: length of the
+   * axis.
+   */
   static of(page: PageData, motion: Motion, unit: number, reach: number, palette: Palette): HeavyBody | null {
     const { gravity } = page.scene;
     return gravity && length(gravity) > 0 ? new HeavyBody(page, gravity, motion, unit, reach, palette) : null;
@@ -84,7 +87,7 @@ export class HeavyBody {
     return on("floor") ? this.#floor : [];
   }
 
-  /** Names of what is on. */
+  /** Returns labels of visible layers. */
   labels(on: (id: string) => boolean): Label[] {
     const labels: Label[] = [];
     if (on("gravity")) {
@@ -96,7 +99,10 @@ export class HeavyBody {
   }
 }
 
-/** Whether the centre of mass stays above the pivot: a floor would not be in its way. */
+/**
+ * Returns true if the centre of mass stays above the pivot, so that a floor would not be in its
+ * way.
+ */
 function standsUpright(motion: Motion, lever: Vector, down: Vector3): boolean {
   for (let i = 0; i < motion.count; i += 1) {
     if (new Vector3(...rotate(motion.attitudeOf(i), lever)).dot(down) >= 0) return false;

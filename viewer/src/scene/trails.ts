@@ -1,4 +1,4 @@
-/** The way that a point has come: a body axis, or the tip of ω, in space. */
+/** Trail of a point in space: of a body axis, or of the tip of ω. */
 import { Group } from "three";
 import { type Vector, writeRotated } from "../attitude";
 import { indexAt } from "../clock";
@@ -6,16 +6,16 @@ import type { Motion } from "../motion";
 import { MovingCurve } from "./lines";
 import type { Palette } from "./palette";
 
-/** Points between two samples, so that few samples give a smooth curve too. */
+/** Number of points between samples, so that few samples also give a smooth curve. */
 const FINE = 6;
-/** Of a trail in the picture, where the body's radius is 1. */
+/** Length of a trail in the picture, relative to the body's radius. */
 const LENGTH = 22;
 const PARTS = 8;
 const LONGEST = 12_000;
 
 export type Trailed = "axis-1" | "axis-2" | "axis-3" | "omega";
 
-/** The curves of whichever trail is shown, from the oldest part, which is faint, to the newest. */
+/** Curves of the current trail, from the oldest part, which is faint, to the newest. */
 export class TrailCurves {
   readonly object = new Group();
   readonly #parts: MovingCurve[];
@@ -27,7 +27,7 @@ export class TrailCurves {
     this.object.add(...this.#parts.map((part) => part.object));
   }
 
-  /** A trail up to `time`; it ends at `tip`. */
+  /** Draws a trail up to `time`; it ends at `tip`. */
   draw(trail: Trail, time: number, tip: Vector): void {
     if (trail.what !== this.#ink) {
       this.#ink = trail.what;
@@ -57,7 +57,10 @@ function pen(ink: Trailed, part: number): { ink: Trailed; width: number; strengt
   return { ink, width: 2, strength: (part + 1.6) / (PARTS + 0.6) };
 }
 
-/** Its points; they are found when they are asked for, as a motion that changes under a knob shows but few of them. */
+/**
+ * Points of a trail. They are computed on demand, because a motion that changes with a knob shows
+ * only a few of them.
+ */
 export class Trail {
   readonly what: Trailed;
   readonly #motion: Motion;
@@ -65,13 +68,16 @@ export class Trail {
   readonly #count: number;
   readonly #size: number;
   readonly #unit: number;
-  /** s of the motion: a trail of some turns, however slow the point is. */
+  /** Time span of the trail, s: some turns, however slow the point is. */
   readonly #seconds: number;
   readonly #points: Float32Array;
   readonly #known: Uint8Array;
   readonly #times: Float64Array;
 
-  /** `scale` is the length of 1 rad/s in the picture, of `unit` metres; axes are `reach` long. */
+  /**
+   * `scale` is the length of 1 rad/s in the picture, of `unit` metres; axes have the length
+   * `reach`.
+   */
   constructor(motion: Motion, what: Trailed, scale: number, reach: number, unit: number) {
     this.#unit = unit;
     this.what = what;
@@ -88,13 +94,13 @@ export class Trail {
     this.#seconds = path > LENGTH ? (duration * LENGTH) / path : duration;
   }
 
-  /** The first and the last of the points that are shown at a time. */
+  /** Returns the first and the last of the points that are shown at a time. */
   span(time: number): [number, number] {
     const last = indexAt(this.#times, time);
     return [Math.max(indexAt(this.#times, time - this.#seconds), last - LONGEST + 1), last];
   }
 
-  /** x y z of all; those between the two are known. */
+  /** Returns x y z of all points; those between the two indices are computed. */
   points(first: number, last: number): Float32Array {
     for (let k = first; k <= last; k += 1) {
       if (this.#known[k] === 0) this.#find(k);
@@ -125,7 +131,8 @@ export class Trail {
     for (let c = 0; c < 3; c += 1) this.#points[3 * k + c] += center[c] / this.#unit;
   }
 
-  // How far the point goes: the length of the way through the samples, and of an axis the arc by its speed |ω × e|.
+  // Returns the length of the path: the length through the samples, or for an axis the arc from its
+  // speed |ω × e|.
   #path(): number {
     const { attitude, omega, times, telling } = this.#motion;
     let path = 0;

@@ -1,6 +1,7 @@
 /**
- * Momentum wheels: a ring about the axis of each, and its angular momentum h as an arrow. Where a wheel is does not matter to the motion,
- * and is not known: one is drawn at the point that the body turns about, several along their axes around it.
+ * Momentum wheels: a ring about the axis of each, and its angular momentum h as an arrow. The place
+ * of a wheel does not affect the motion and is not known. A single one is drawn at the point that
+ * the body turns about, and several around it, along their axes.
  */
 import { type Color, CylinderGeometry, GreaterDepth, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, TorusGeometry, Vector3 } from "three";
 import type { Motion } from "../motion";
@@ -24,7 +25,7 @@ interface Drawn {
 }
 
 export class Wheels {
-  /** Turn with the body. */
+  /** Groups that rotate with the body. */
   readonly rings = new Group();
   readonly arrows = new Group();
   readonly layers: Layer[];
@@ -71,7 +72,7 @@ export class Wheels {
     }
   }
 
-  /** Names, where `turned` takes a place in the body to space. */
+  /** Returns labels; `turned` converts a place in the body to space. */
   labels(on: (id: string) => boolean, time: number, turned: (p: Vector3) => Vector3): Label[] {
     const labels: Label[] = [];
     const i = indexAt(this.#motion.times, time);
@@ -97,7 +98,7 @@ export class Wheels {
 
 const runs = (motor: Float64Array | null, i: number): boolean => motor !== null && motor[i] !== 0;
 
-// A rim, four spokes and a hub about z, seen through the body too.
+// Draws a rim, four spokes and a hub about z, also visible through the body.
 function ring(palette: Palette): { group: Group; materials: { color: Color }[] } {
   const group = new Group();
   const materials: { color: Color }[] = [];

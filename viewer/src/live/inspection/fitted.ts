@@ -1,4 +1,7 @@
-/** Something of any size and place as a picture has it: its middle at the origin, and 1 from there to its farthest point. */
+/**
+ * Scaling of an object of any size and place: its centre at the origin, and 1 from there to its
+ * farthest point.
+ */
 import { Box3, Group, type Object3D, Sphere, Vector3 } from "three";
 import { Farthest } from "../../scene/framing";
 
@@ -6,12 +9,12 @@ const DIRECTIONS = 300;
 
 export class Fitted {
   readonly group = new Group();
-  /** The outermost of its points, as the picture has them. */
+  /** Outermost points in coordinates of the picture. */
   readonly points: Vector3[];
   readonly #middle: Vector3;
   readonly #size: number;
 
-  /** `points`: all that is to be seen of it. */
+  /** `points`: all visible points of the object. */
   constructor(object: Object3D, points: Vector3[]) {
     const { center, radius } = new Box3().setFromPoints(points.length > 0 ? points : [new Vector3()]).getBoundingSphere(new Sphere());
     this.#middle = center;
@@ -27,14 +30,14 @@ export class Fitted {
   }
 }
 
-/** Those whose hull is nearly that of all. */
+/** Returns points whose convex hull is nearly that of all points. */
 export function outermost(points: Vector3[]): Vector3[] {
   const farthest = new Farthest(DIRECTIONS);
   for (const p of points) farthest.add(p);
   return points.length > 0 ? farthest.points : [];
 }
 
-/** The corners of the box around some points, which is at least so large from its middle. */
+/** Returns the corners of the bounding box of some points, with half edges of at least `least`. */
 export function box(points: Vector3[], least: number): Vector3[] {
   const around = new Box3().setFromPoints(points);
   const middle = around.getCenter(new Vector3());

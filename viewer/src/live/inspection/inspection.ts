@@ -1,4 +1,7 @@
-/** What was found in a file that is no scenario: the thing in three dimensions, and beside it the list. Takes the place of the motion. */
+/**
+ * Inspection of a file that is not a scenario: the object in 3-D, and the list of findings next to
+ * it. It replaces the motion.
+ */
 import type { App } from "../../app";
 import { byId, element, icon } from "../../dom";
 import { fileName, saveCanvas } from "../../save/files";
@@ -13,7 +16,7 @@ import { type Still, StillView } from "./still";
 export type Inspected = Exclude<DocumentContent, { kind: "scenario" }>;
 
 export class Inspection {
-  /** What is shown; null if it is a motion. */
+  /** Document shown; null if it is a motion. */
   document: DocumentInfo | null = null;
   chosen: number | null = null;
   readonly #app: App;
@@ -35,7 +38,7 @@ export class Inspection {
     });
   }
 
-  /** For tests and for curious people at the console. */
+  /** Access for tests, and for inspection in the console. */
   get view(): StillView | null {
     return this.#view;
   }
@@ -75,7 +78,7 @@ export class Inspection {
     document.body.classList.remove("inspecting");
   }
 
-  /** Shows one of the things that are listed; or all of them. */
+  /** Highlights one of the listed items; null shows all. */
   choose(item: number | null): void {
     this.chosen = item;
     this.#list?.choose(item);

@@ -1,14 +1,14 @@
-/** A list whose entries stand in the picture too, and are chosen here or there. */
+/** A list whose entries are also in the picture, and can be selected in both. */
 import { element } from "../../dom";
 
 export interface Listed {
   host: HTMLElement;
-  /** How many can be chosen. */
+  /** Number of items that can be selected. */
   count: number;
   choose: (item: number | null) => void;
 }
 
-/** An entry that can be chosen: what is in it, and in `more` what is seen of it only then. */
+/** Creates a selectable entry. `more` is visible only while the entry is selected. */
 export function entry(item: number, choose: (item: number) => void, said: (Node | string)[], more: (Node | string)[] = []): HTMLElement {
   const button = element("button", { type: "button", class: "entry", "aria-pressed": "false", click: () => choose(item) }, ...said);
   const host = element("li", { "data-item": String(item) }, button);
@@ -31,7 +31,7 @@ export function listed(host: HTMLElement, count: number): Listed {
   return { host, count, choose };
 }
 
-/** A word in a colour. */
+/** Creates a coloured word. */
 export function badge(text: string, ink: string): HTMLElement {
   const made = element("span", { class: "badge" }, text);
   made.style.setProperty("--ink-of", `var(--${ink})`);

@@ -1,4 +1,4 @@
-/** What is wrong with a mesh, in words: an entry for each finding, with its number in the picture. */
+/** Findings of a mesh as text: an entry for each, with its number in the picture. */
 import { element } from "../../dom";
 import { grouped } from "../../format";
 import type { MeshFinding, MeshInspection } from "../protocol";
@@ -7,7 +7,7 @@ import { INKS } from "./mesh-scene";
 
 const WORDS: Record<MeshFinding["severity"], string> = { error: "Error", warning: "Warning", info: "Note" };
 
-/** `isStill`: there is no motion to go back to. */
+/** `isStill`: true if there is no motion to return to. */
 export function meshList(mesh: MeshInspection, isStill: boolean, choose: (item: number) => void): Listed {
   const errors = mesh.findings.filter(({ severity }) => severity === "error").length;
   const shown = mesh.triangles.length / 3;

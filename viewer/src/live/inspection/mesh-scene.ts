@@ -1,4 +1,7 @@
-/** A mesh and what is wrong with it: the edges and triangles that findings mark, in their colours, numbered as they are listed. */
+/**
+ * A mesh and its errors: edges and triangles that findings mark, in their colours, with the numbers
+ * of the list.
+ */
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, type Material, Mesh, MeshBasicMaterial, MeshStandardMaterial, Vector3 } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { f32 } from "../../decode";
@@ -12,9 +15,9 @@ import { box, Fitted } from "./fitted";
 
 export const INKS: Record<MeshFinding["severity"], Ink> = { error: "danger", warning: "warn", info: "axis-1" };
 
-/** Points beside which a finding's number may stand. */
+/** Maximum number of points next to which a finding's number may be placed. */
 const PLACES = 24;
-/** Points that say where those of a finding are, of which there may be 60,000. */
+/** Maximum number of points that represent a finding, which may have 60,000. */
 const TELLING = 2_000;
 
 export class MeshScene implements Still {
@@ -28,7 +31,7 @@ export class MeshScene implements Still {
     const whole = new Group();
     const { name, vertices, triangles, of } = mesh;
     const solids = new Solids([{ kind: "mesh", name, vertices, triangles, of, position: [0, 0, 0], quaternion: [1, 0, 0, 0] }], false, palette);
-    // One looks into it where it is open. Marks lie in the surface: it is a little behind them.
+    // Open meshes show their inside. Marks are in the surface, which is drawn a little behind them.
     const look = { side: DoubleSide, roughness: 0.55, metalness: 0.05, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
     const opaque = palette.shared("inspected", "solid", () => new MeshStandardMaterial(look));
     const glass = palette.shared("inspected glass", "solid", () => new MeshStandardMaterial({ ...look, transparent: true, opacity: 0.3, depthWrite: false }));
@@ -54,14 +57,14 @@ export class MeshScene implements Still {
     });
     const places = item === null ? [] : this.#marks[item].places;
     if (places.length === 0) return null;
-    // From the side on which they are.
+    // View from the side on which the marks are.
     const middle = places.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(places.length);
     return middle.length() > 0.15 ? middle : null;
   }
 
   content(): Vector3[] {
     const places = this.#chosen === null ? [] : this.#marks[this.#chosen].places;
-    // So much around a small one that one sees where it is.
+    // Leave enough space around a small finding to recognise its place.
     return places.length > 0 ? box(places, 0.25) : this.outline;
   }
 
@@ -78,12 +81,12 @@ export class MeshScene implements Still {
   }
 }
 
-/** What a finding marks. */
+/** Marks of a finding. */
 class Marks {
   readonly group = new Group();
   readonly number: number;
   readonly ink: Ink;
-  /** Ends of the edges, or corners of the triangles: of many, those that tell where they are. */
+  /** Ends of the edges or corners of the triangles; for many, a representative subset. */
   places: Vector3[];
 
   constructor({ edges, faces, severity, code }: MeshFinding, k: number, palette: Palette) {
@@ -95,7 +98,7 @@ class Marks {
     this.places = telling(ends.length > 0 ? ends : corners);
   }
 
-  // What is behind something shines through it.
+  // Marks behind other surfaces shine through.
   #triangles(corners: Float32Array, palette: Palette): void {
     const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
     const look = { side: DoubleSide, transparent: true, depthWrite: false };
@@ -117,7 +120,7 @@ class Marks {
   }
 }
 
-/** Those of many points that say where they are: some of them, and the outermost along each axis. */
+/** Returns representative points of many: some of them, and the outermost along each axis. */
 function telling(numbers: Float32Array): Vector3[] {
   const count = numbers.length / 3;
   const every = Math.ceil(count / TELLING);

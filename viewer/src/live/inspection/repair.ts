@@ -1,4 +1,4 @@
-/** The repair of a robot's file, shown before anything is written: each line as it is and as it would be. */
+/** Repair of a robot's file, shown before anything is written: each line before and after. */
 import { element } from "../../dom";
 import { save } from "../../save/files";
 import type { RobotInspection } from "../protocol";
@@ -15,7 +15,7 @@ export function repair(proposed: RobotInspection["repair"], file: string): HTMLE
     ...before.split("\n").map((old, k) => row(String(line + k), "−", element("del", {}, old))),
     ...after.split("\n").map((now, k) => row(String(line + k), "+", element("ins", {}, now))),
   ]);
-  // As `polhode check robot.urdf --fix robot-fixed.urdf` would name it.
+  // Named as in `polhode check robot.urdf --fix robot-fixed.urdf`.
   const name = file.replace(/(\.[^.]*)?$/, "-fixed$1");
   const said = element("p", { role: "status" });
   const button = element("button", { type: "button", class: "quiet" }, "Save the repaired file");

@@ -1,4 +1,4 @@
-/** A robot's links in words: those with findings first, and the fix, if one was found. */
+/** Links of a robot as text: those with findings first, and the repair if there is one. */
 import { element } from "../../dom";
 import { number } from "../../format";
 import type { RobotInspection, RobotLink } from "../protocol";
@@ -56,7 +56,7 @@ function numbers({ inertial }: RobotLink): HTMLElement[] {
   return [element("table", { class: "entry-numbers" }, element("tbody", {}, ...rows))];
 }
 
-// As many digits as it has, up to five.
+// Formats a number with up to five digits, without trailing zeros.
 function short(value: number): string {
   return number(value).replace(/(\.\d*?)0+(?!\d)/, "$1").replace(/\.(?!\d)/, "");
 }

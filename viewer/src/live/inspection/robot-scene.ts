@@ -1,4 +1,7 @@
-/** A robot with all joints at zero: of every link its shapes, the box of its mass and tensor, and its centre of mass. */
+/**
+ * A robot with all joints at zero: for every link its shapes, the box of its mass and tensor, and
+ * its centre of mass.
+ */
 import { BoxGeometry, EdgesGeometry, Group, Mesh, MeshStandardMaterial, type Object3D, type Raycaster, Vector3 } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { number } from "../../format";
@@ -13,12 +16,18 @@ import type { Still } from "./still";
 
 export const INKS: Record<RobotLink["verdict"], Ink> = { impossible: "danger", suspect: "warn", ok: "axis-1", none: "quiet" };
 
-/** Of the picture: of a centre of mass, and of one whose tensor is impossible, so that it has no box. */
+/**
+ * Radii in the picture: of a centre of mass, and of one with an unphysical tensor, which has no
+ * box.
+ */
 const DOT = 0.012;
 const BOXLESS = 0.018;
-/** Names at once. */
+/** Maximum number of names shown together. */
 const NAMED = 14;
-/** Of the robot's size: what goes farther from its middle is seen only if its link is chosen. A wrong unit makes boxes of kilometres. */
+/**
+ * Limit relative to the robot's size. Boxes farther from its centre are shown only if their link is
+ * selected. A wrong unit makes boxes of kilometres.
+ */
 const FAR = 3;
 
 export class RobotScene implements Still {
@@ -78,8 +87,8 @@ export class RobotScene implements Still {
 }
 
 /**
- * What says how large the robot is, whatever its inertias are: its shapes; or where it has none, the boxes of which nothing was found; or
- * where its joints are.
+ * Returns points that determine the size of the robot, whatever its inertias: its shapes; without
+ * shapes, the boxes without findings; or else the origins of its links.
  */
 function extent(links: LinkModel[]): Vector3[] {
   const origins = links.map(({ origin }) => origin);
@@ -90,24 +99,24 @@ function extent(links: LinkModel[]): Vector3[] {
   return isSpread ? [...some, ...origins] : links.flatMap(({ points }) => points);
 }
 
-/** A link where it stands. */
+/** A link at its place. */
 class LinkModel {
   readonly group = new Group();
   readonly shapes = new Group();
   readonly inertia = new Group();
   readonly name: string;
   readonly verdict: RobotLink["verdict"];
-  /** What can be clicked. */
+  /** Objects that can be clicked. */
   readonly solids: Mesh[] = [];
-  /** Its frame's origin, and the outermost points of its shapes, in the model's frame, m. */
+  /** Origin of its frame, and outermost points of its shapes, model frame, m. */
   readonly origin: Vector3;
   readonly form: Vector3[];
-  /** The outermost of all of it, in the model's frame, m; then as the picture has them. */
+  /** Outermost points of the whole link, model frame, m; later in coordinates of the picture. */
   points: Vector3[];
   isFar = false;
-  /** Its name, and why one does not see the box or the centre. */
+  /** Its name, and the reason why the box or the centre is not visible. */
   readonly far: string;
-  /** Its centre of mass, or its frame's origin. */
+  /** Its centre of mass, or the origin of its frame. */
   middle: Vector3;
   readonly #marker: Object3D | null = null;
   readonly #palette: Palette;
@@ -143,16 +152,16 @@ class LinkModel {
     });
   }
 
-  /** Takes its place in the picture. */
+  /** Moves the link to its place in the picture. */
   fit(picture: Fitted): void {
     this.points = picture.toPicture(this.points);
     [this.middle] = picture.toPicture([this.middle]);
     this.isFar = this.points.some((p) => p.length() > FAR);
-    // A marker has the picture's size, not the robot's.
+    // A marker scales with the picture, not with the robot.
     this.#marker?.scale.setScalar(1 / picture.group.scale.x);
   }
 
-  /** Another link is chosen. */
+  /** True while another link is selected. */
   set isFaint(isFaint: boolean) {
     const [glass, edge] = this.#look(isFaint);
     for (const part of this.inertia.children) {
@@ -162,7 +171,7 @@ class LinkModel {
     if (this.#marker) this.#marker.visible = !isFaint;
   }
 
-  // Whether its inertia has a box or none, one sees which link it is of.
+  // Shapes have the colour of their link, with or without a box of its inertia.
   #tint(shapes: Group): void {
     const tinted = this.#palette.shared("tinted", this.#ink, () => new MeshStandardMaterial({ transparent: true, opacity: 0.35, depthWrite: false, roughness: 0.6 }), 0.8);
     shapes.traverse((part) => {
@@ -171,7 +180,7 @@ class LinkModel {
   }
 
   #box({ size, quaternion }: { size: [number, number, number]; quaternion: [number, number, number, number] }, center: Vector3): Vector3[] {
-    // A plate's box has no thickness; what has none cannot be lit.
+    // The box of a plate has no thickness, but a shaded box needs one.
     const least = 0.004 * Math.max(...size, Number.MIN_VALUE);
     const geometry = new BoxGeometry(...size.map((edge) => Math.max(edge, least)));
     const [glass, edge] = this.#look(false);

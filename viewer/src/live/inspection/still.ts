@@ -1,4 +1,7 @@
-/** Things that stand still, in three dimensions: what was found in a file. A frame is drawn only if something changed. */
+/**
+ * View of static objects in 3-D: the contents of an inspected file. A frame is drawn only after a
+ * change.
+ */
 import { type Group, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { element } from "../../dom";
 import { OrbitCamera } from "../../scene/camera";
@@ -9,33 +12,36 @@ import { Light } from "../../scene/light";
 import { Palette } from "../../scene/palette";
 import { onTheme } from "../../theme";
 
-/** What stands there; size 1 is from the middle to the farthest point. */
+/** A static object; size 1 is the distance from its centre to its farthest point. */
 export interface Still {
   readonly object: Group;
   /** Parts that can be hidden. */
   readonly parts: { name: string; isOn: boolean; show: (isOn: boolean) => void }[];
-  /** What the camera has to see. */
+  /** Points that the camera must see. */
   content: () => Vector3[];
   labels: () => Label[];
-  /** Around what no name may stand. */
+  /** Points around which no name may be placed. */
   readonly outline: Vector3[];
-  /** Shows one of the things that are listed, or all of them; and from which side it is seen, if that matters. */
+  /**
+   * Highlights one of the listed items, or all; returns the direction from which to view it, if
+   * that matters.
+   */
   choose: (item: number | null) => Vector3 | null;
-  /** Which of them a ray meets first. */
+  /** Returns the first item that a ray hits. */
   at: (ray: Raycaster) => number | null;
 }
 
-/** A press that moved less, px, is a click. */
+/** Largest movement of a press that counts as a click, px. */
 const CLICK = 4;
 const TURN = 0.12;
-/** rad: where one still sees the sides of what is seen from above. */
+/** Elevation at which the sides of an object viewed from above are still visible, rad. */
 const STEEP = 1.1;
 
 export class StillView {
   readonly host = element("div", { class: "still" });
   readonly orbit: OrbitCamera;
   readonly palette = new Palette();
-  /** One of the things that are listed was clicked, or nothing was. */
+  /** Called when a listed item was clicked, or when nothing was hit. */
   clicked: (item: number | null) => void = () => undefined;
 
   readonly #canvas = element("canvas", { tabindex: "0", "aria-label": "What was found, in three dimensions; drag to turn the camera, or use the arrow keys" });
@@ -66,13 +72,13 @@ export class StillView {
     });
   }
 
-  /** Objects on the graphics card. */
+  /** Numbers of objects on the graphics card. */
   get memory(): { geometries: number; textures: number } {
     const { geometries, textures } = this.#renderer.info.memory;
     return { geometries, textures };
   }
 
-  /** Shows this instead of what was there; from where one looks, if it is another state of the same. */
+  /** Replaces the object. The camera stays if it is another state of the same object. */
   show(still: Still, isSame: boolean): void {
     this.clear();
     this.#still = still;
@@ -81,13 +87,13 @@ export class StillView {
     this.invalidate();
   }
 
-  /** Gives back what the graphics card holds. */
+  /** Releases the memory of the graphics card. */
   clear(): void {
     if (this.#still) dispose(this.#still.object, this.palette);
     this.#still = null;
   }
 
-  /** Looks at it from there. */
+  /** Views the object from this direction. */
   from({ x, y, z }: Vector3): void {
     const { orbit } = this;
     orbit.azimuth = Math.hypot(x, y) > 1e-3 ? Math.atan2(y, x) + 0.25 : orbit.azimuth;
@@ -104,7 +110,7 @@ export class StillView {
     });
   }
 
-  /** The frame as it is on the screen, names too. */
+  /** Returns the frame as on the screen, with names. */
   photograph(): HTMLCanvasElement {
     this.#draw();
     const out = element("canvas");

@@ -182,7 +182,8 @@ export class Motion {
     return Math.min(...rows.map(beforeRunAway));
   }
 
-  // A thruster's torque stays in the body, that of gravity about in space: in space axes, by way of those in which it changes less.
+  // The torque of a thruster is constant in the body, and that of gravity nearly constant in space.
+  // The result is in space axes, interpolated in the axes in which the torque changes less.
   #torqueAt(torque: Float64Array, i: number, j: number, part: number, attitude: Quaternion): Vector {
     const [a, b] = [at(torque, i), at(torque, j)];
     const [inSpaceA, inSpaceB] = [rotate(this.attitudeOf(i), a), rotate(this.attitudeOf(j), b)];

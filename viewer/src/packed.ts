@@ -1,4 +1,7 @@
-/** The data of a page in a notebook, as `polhode` in Python stores them (`_display.py`): the page's JSON, deflated as zlib does. */
+/**
+ * Data of a page in a notebook, as `polhode` in Python stores them (`_display.py`): the page's JSON,
+ * deflated as in zlib.
+ */
 import type { PageData } from "./data";
 import { BadData, checked } from "./decode";
 

@@ -1,8 +1,8 @@
-"""The book as a site, for Sphinx: `cargo xtask book`.
+"""Sphinx configuration of the book's site: `cargo xtask book`.
 
-Its source is the repository's root, and its pages are plain Markdown with links between files, which a code host shows as well. What the
-site adds stands in the modules beside this file: the navigation, search, pages for files that are not pages,
-and formulas as MathML.
+The source is the repository's root. Its pages are plain Markdown with links between files, which
+code hosts also display. The modules in this folder add the navigation, search, pages for other
+files, and formulas as MathML.
 """
 
 import sys
@@ -18,18 +18,18 @@ project = "polhode"
 root_doc = "book/README"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "navigation", "notebooks", "repository", "mathematics", "search"]
 
-# The book, and what it links to at the root.
+# The book, and the pages at the root to which it links.
 PAGES = {"book", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "CONVENTIONS.md", "SECURITY.md"}
 exclude_patterns = [entry.name for entry in ROOT.iterdir() if entry.name not in PAGES]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 
 myst_enable_extensions = ["dollarmath"]
-# Anchors of headings are those of code hosts.
+# Headings have the same anchors as on code hosts.
 myst_heading_anchors = 6
-# Two classes are called Event: that of a scenario's table, and what happened in a motion.
+# Two classes are named Event: a table of a scenario, and an occurrence in a motion.
 suppress_warnings = ["myst.header", "ref.python"]
 
-# The compiled module and other packages are not needed to read what the classes say of themselves.
+# Reading the docstrings does not need the compiled module or other packages.
 autodoc_mock_imports = ["polhode._native", "numpy", "pyarrow", "distributed", "ray", "scipy", "matplotlib"]
 autodoc_member_order = "bysource"
 python_use_unqualified_type_names = True
@@ -43,13 +43,13 @@ html_copy_source = False
 html_show_sourcelink = False
 html_show_copyright = False
 html_show_sphinx = False
-# Summaries would be fetched, which a browser does not do for a page from disk.
+# Summaries would need fetch requests, which browsers do not allow for pages from disk.
 html_show_search_summary = False
 pygments_style = "default"
 pygments_dark_style = "github-dark"
 
 
 def setup(app):
-    # Languages of blocks that have no colours.
+    # Languages of code blocks without highlighting.
     for language in ("cad", "csv", "fragment", "xyz"):
         app.add_lexer(language, TextLexer)

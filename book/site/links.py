@@ -1,11 +1,12 @@
-"""python links.py SITE: every link of the built pages leads to a file that is there, and every anchor to an element of it."""
+"""Checks the links of the built pages: python links.py SITE. Each must lead to an existing file,
+and each anchor to an element in it."""
 
 import sys
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-# Written by other programs, which check their own links.
+# Pages written by other programs, which check their own links.
 FOREIGN = ("rust/",)
 
 

@@ -1,4 +1,5 @@
-"""Formulas as MathML, which browsers set themselves: nothing is fetched, and no program runs in the page."""
+"""Formulas as MathML, which browsers typeset themselves. Nothing is loaded, and no script runs in
+the page."""
 
 from docutils import nodes
 from latex2mathml.converter import convert

@@ -1,5 +1,8 @@
-"""The navigation: the lists of links in each README.md, under its headings, are what the side bar shows. A page that is in none of
-them fails the build."""
+"""Navigation of the site. The side bar shows the lists of links in each README.md, under its
+headings.
+
+A page that is in none of the lists makes the build fail.
+"""
 
 import re
 
@@ -30,7 +33,7 @@ def add_toctrees(app, docname, source):
 
 
 def add_index(app, exception):
-    """The first page, under the name that servers and people look for."""
+    """Writes a first page with the conventional name, which redirects to the book."""
     if exception is None:
         first = app.builder.get_target_uri(app.config.root_doc)
         page = f'<!doctype html><meta charset="utf-8"><title>polhode</title><meta http-equiv="refresh" content="0; url={first}"><a href="{first}">The book</a>'

@@ -1,4 +1,4 @@
-"""Notebooks as pages: their text, their code and what it gave, as Markdown."""
+"""Notebooks as pages: their text, code and outputs, as Markdown."""
 
 import json
 
@@ -6,7 +6,7 @@ from myst_parser.parsers.sphinx_ import MystParser
 
 
 def markdown(notebook):
-    """The Markdown of a notebook, with outputs as they are stored in it."""
+    """Yields the Markdown of a notebook, with its stored outputs."""
     for cell in notebook["cells"]:
         text = "".join(cell["source"])
         if cell["cell_type"] == "markdown":
@@ -23,7 +23,7 @@ def markdown(notebook):
 
 
 class NotebookParser(MystParser):
-    """Notebooks by way of Markdown."""
+    """Parser of notebooks, by conversion to Markdown."""
 
     supported = ("notebook",)
 

@@ -1,5 +1,9 @@
-"""Links to files of the repository that are no pages of the book: each has a page with its text. The contents page of a crate, `src/lib.rs`,
-is shown as the crate's documentation, which `cargo xtask book` puts beside the pages."""
+"""Links to files of the repository that are not pages of the book. Each such file has a page with
+its text.
+
+The contents page of a crate, `src/lib.rs`, is shown as the crate's documentation, which
+`cargo xtask book` puts next to the pages.
+"""
 
 import re
 from html import escape
@@ -20,7 +24,7 @@ logger = logging.getLogger(__name__)
 
 def setup(app):
     app.connect("builder-inited", lambda app: setattr(app.env, "shown_files", set()))
-    # Before what is linked is copied as a download.
+    # Runs before Sphinx copies linked files as downloads.
     app.connect("doctree-read", link_files, priority=100)
     app.connect("html-collect-pages", pages)
     app.connect("doctree-read", check_external)
@@ -39,7 +43,7 @@ def link_files(app, document):
 
 
 def fold(app, node, path):
-    """The scenario's text below the paragraph that names it, folded."""
+    """Inserts the scenario's text, folded, after the paragraph that names it."""
     paragraph = node.parent
     at = paragraph.parent.index(paragraph) + 1
     text = nodes.literal_block("", text_of(app.srcdir / path), language="toml")
@@ -48,7 +52,8 @@ def fold(app, node, path):
 
 
 def path_of(app, node, docname):
-    """The file or folder of the repository that a link leads to, if it is no page."""
+    """Returns the file or folder of the repository to which a link leads; None if that is a
+    page."""
     target = node.get("reftarget", "")
     if isinstance(node, addnodes.pending_xref) and node.get("refdomain") == "doc":
         return None if target in app.env.found_docs else f"{target}.md"
@@ -58,7 +63,8 @@ def path_of(app, node, docname):
 
 
 def page_of(app, path):
-    """The place of a page for a file or folder on the site, or None for a file that is not text."""
+    """Returns the place of the page for a file or folder on the site; None for a file that is not
+    text."""
     if library := LIBRARY.fullmatch(path):
         return f"rust/{library[1].replace('-', '_')}/index.html"
     whole = app.srcdir / path
@@ -96,7 +102,7 @@ def pages(app):
 
 
 def check_external(app, document):
-    """Links to other places have to be well formed; whether anything is there today is not asked."""
+    """Checks that links to other sites are well formed. It does not request them."""
     for node in document.findall(nodes.reference):
         parts = urlsplit(node.get("refuri", ""))
         if parts.scheme and not (parts.scheme == "https" and "." in (parts.hostname or "")):

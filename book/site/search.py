@@ -1,5 +1,8 @@
-"""What the search box looks through: every section with its heading, its place and its text, as a script, since a browser fetches no data for
-a page from disk. `search.js` loads it when it is first needed."""
+"""Data of the search box: every section with its heading, its place and its text.
+
+The data are a script, because browsers do not fetch data for a page from disk. `search.js` loads it
+when it is first needed.
+"""
 
 import json
 import re
@@ -23,7 +26,8 @@ def collect(app, document, docname):
 
 
 def sections(document, page):
-    """(anchor, page, heading, text) of each section, and of each class and function of Python with what it has."""
+    """Yields (anchor, page, heading, text) of each section, and of each Python class and function
+    with its members."""
     for section in document.findall(nodes.section):
         first = section.parent is document
         title = section.next_node(nodes.title).astext()

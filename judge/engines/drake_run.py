@@ -1,7 +1,9 @@
-"""Drake's motions of the suite's cases: drake_run.py DIR --setting default|rk3|rk3-accurate|rk5-accurate.
+"""Computes the motions of the suite's cases with Drake: drake_run.py DIR --setting
+default|rk3|rk3-accurate|rk5-accurate.
 
-`default` is the discrete plant; the others are the continuous one under error control, or with --step at steps of that length.
-Poses and spatial velocities are along space axes. A held body is on a BallRpyJoint.
+`default` is the discrete plant. The other settings use the continuous plant with error control, or
+with --step a fixed step. Poses and spatial velocities are in space axes. A held body is on a
+BallRpyJoint.
 """
 
 import numpy as np
@@ -27,7 +29,7 @@ SCHEMES = {"rk3": ("runge_kutta3", 1e-4), "rk3-accurate": ("runge_kutta3", 1e-10
 
 
 class Torque(LeafSystem):
-    """The case's torque as a spatial force, from the plant's poses and velocities."""
+    """Torque of the case as a spatial force, computed from the plant's poses and velocities."""
 
     def __init__(self, case, plant, body):
         super().__init__()
@@ -54,10 +56,10 @@ def spatial_inertia(case):
 
 
 def joint_frames(case):
-    """The axes between which the joint's angles are taken, in the world and in the body.
+    """Returns the axes between which the joint's angles are measured, in the world and in the body.
 
-    The angles are singular where the body's first axis lies along the third of the world: the former is the line from the
-    pivot to the centre of mass, the latter is level.
+    The angles are singular if the first axis of the body is along the third of the world. The
+    former is the line from the pivot to the centre of mass, and the latter is horizontal.
     """
     def frame(first, second):
         x = first / np.linalg.norm(first)

@@ -1,7 +1,8 @@
-"""MuJoCo's motions of the suite's cases: mujoco_run.py DIR --setting default|implicitfast|rk4.
+"""Computes the motions of the suite's cases with MuJoCo: mujoco_run.py DIR --setting
+default|implicitfast|rk4.
 
-A free joint's, or a ball joint's, angular velocity is along body axes. Torque goes through `mjcb_control`, which is called
-wherever accelerations are computed: once a step, or at each stage of RK4.
+The angular velocity of a free joint or a ball joint is in body axes. `mjcb_control` applies
+torques. MuJoCo calls it whenever it computes accelerations: once per step, or at each stage of RK4.
 """
 
 import mujoco

@@ -1,8 +1,10 @@
-"""PyBullet's motions of the suite's cases: pybullet_run.py DIR --setting default|fine|maximal.
+"""Computes the motions of the suite's cases with PyBullet: pybullet_run.py DIR --setting
+default|fine|maximal.
 
-The inertia of PyBullet's body is diagonal, so its axes are the principal ones: what goes in and comes out is turned by them.
-A free body is the base of a multibody, or with `maximal` a btRigidBody; a held one is a link on a spherical joint.
-PyBullet forgets a torque after each step. Its quaternions are (x, y, z, w), its angular velocities along space axes.
+The inertia of PyBullet's body is diagonal, so its axes are the principal axes, and input and output
+are rotated accordingly. A free body is the base of a multibody, or with `maximal` a btRigidBody. A
+held body is a link on a spherical joint. PyBullet resets a torque after each step. Its quaternions
+are (x, y, z, w), and its angular velocities are in space axes.
 """
 
 import numpy as np
@@ -45,13 +47,15 @@ class Body:
                                            positionGain=0, velocityGain=0, force=[0, 0, 0])
         else:
             self.id = p.createMultiBody(baseMass=case.mass, useMaximalCoordinates=maximal)
-        # In one call the inertia of a link would come out as zero, and without a mass maximal coordinates lose theirs.
+        # If both are set in one call, the inertia of a link is set to zero. Without a mass, a body
+        # in maximal coordinates loses its inertia.
         p.changeDynamics(self.id, self.link, **quiet)
         p.changeDynamics(self.id, self.link, mass=case.mass, localInertiaDiagonal=[*self.moments])
         if not np.allclose(p.getDynamicsInfo(self.id, self.link)[2], self.moments, rtol=1e-12, atol=0):
             raise suite.NotRun("the inertia is not what was set")
         if self.held:
-            # A spherical joint's quaternion and velocity are along the axes of the link's inertial frame.
+            # Quaternion and velocity of a spherical joint are in the axes of the link's inertial
+            # frame.
             q = [*self.axes.T @ case.attitude[1:], case.attitude[0]]
             p.resetJointStateMultiDof(self.id, 0, q, self.axes.T @ case.omega_body)
         else:
@@ -59,7 +63,7 @@ class Body:
             p.resetBaseVelocity(self.id, [0, 0, 0], r @ case.omega_body)
 
     def state(self):
-        """R_space_body and the angular velocity along body axes."""
+        """Returns R_space_body and the angular velocity in body axes."""
         if self.held:
             s = p.getLinkState(self.id, 0, computeLinkVelocity=1, computeForwardKinematics=1)
             q, w = s[1], s[7]

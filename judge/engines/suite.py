@@ -1,7 +1,7 @@
-"""The cases of `polhode judge --write-suite DIR`, and the runs that `polhode judge --suite DIR` grades.
+"""Cases of `polhode judge --write-suite DIR`, and runs for `polhode judge --suite DIR`.
 
-Components are along body axes where a name ends in `_body`, along space axes where it ends in `_space`; quaternions are
-(w, x, y, z) and turn body components into those of space.
+Components are in body axes if a name ends in `_body`, and in space axes if it ends in `_space`.
+Quaternions are (w, x, y, z) and take body components to space components.
 """
 
 import argparse
@@ -18,11 +18,11 @@ NO_NUMBER = "the engine's state is no number any more"
 
 
 class NotRun(Exception):
-    """Why an engine cannot do a case."""
+    """Reason why an engine cannot compute a case."""
 
 
 def matrix(q):
-    """R_space_body of a quaternion."""
+    """Returns R_space_body of a quaternion."""
     w, x, y, z = q
     return np.array([
         [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
@@ -32,7 +32,7 @@ def matrix(q):
 
 
 def quaternion(r):
-    """The quaternion (w, x, y, z) of a rotation matrix."""
+    """Returns the quaternion (w, x, y, z) of a rotation matrix."""
     q = np.array([
         [r[0, 0] + r[1, 1] + r[2, 2], r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]],
         [0, r[0, 0] - r[1, 1] - r[2, 2], r[0, 1] + r[1, 0], r[0, 2] + r[2, 0]],
@@ -44,7 +44,7 @@ def quaternion(r):
 
 
 class Case:
-    """A case with what acts on its body, as numbers."""
+    """A case: body, start and torques as numbers, SI units."""
 
     def __init__(self, entry):
         self.name = entry["name"]
@@ -95,9 +95,10 @@ class Case:
             raise SystemExit(f"{self.name}: a torque of kind {kind} is not known here")
 
     def _add_wheel(self, wheel):
-        """A wheel as what it does to the body: -w x h, and the reaction of its motor.
+        """Adds a wheel as its torque on the body: -w x h, and the reaction of its motor.
 
-        With a motor, h is the wheel's own momentum along its axis, and the body is without its moment about it.
+        With a motor, h is the wheel's own momentum along its axis, and the inertia of the body
+        excludes the wheel's moment about that axis.
         """
         a, j = np.array(wheel["axis"], float), wheel["moment_kg_m2"]
         motor = wheel.get("motor_torque_n_m")
@@ -110,23 +111,26 @@ class Case:
             self.torques.append(lambda t, r, w: -motor * a - np.cross(w, (start + motor * t) * a))
 
     def torque_body(self, t, r, omega_body):
-        """All torque but that of gravity on a held body."""
+        """Returns the torque in body axes, without gravity on a held body, N·m."""
         return sum(n(t, r, omega_body) for n in self.torques)
 
     def principal(self):
-        """Principal moments, ascending, and the right-handed principal axes as columns."""
+        """Returns principal moments, ascending, and right-handed principal axes as columns."""
         moments, axes = np.linalg.eigh(self.inertia)
         if np.linalg.det(axes) < 0:
             axes[:, 2] = -axes[:, 2]
         return moments, axes
 
     def steps(self, step):
-        """How many steps the case takes, and how many lie between rows."""
+        """Returns the number of steps of the case, and the number of steps between rows."""
         return round(self.duration / step), max(1, round(self.rows_every / step))
 
 
 def write(path, engine, step, rows):
-    """A run as CSV; each row is a time, a quaternion and an angular velocity in the body."""
+    """Writes a run as CSV.
+
+    Each row is a time, a quaternion and an angular velocity in body axes.
+    """
     with open(path, "w") as file:
         file.write(f'# engine = "{engine}"\n')
         if step is not None:
@@ -137,7 +141,7 @@ def write(path, engine, step, rows):
 
 
 def collect(rows, run):
-    """Takes the rows of a run, and says why they end before the case does."""
+    """Collects the rows of a run. Returns the reason if they end early, else None."""
     try:
         for t, q, w in run:
             if not np.isfinite([*q, *w]).all():
@@ -151,9 +155,10 @@ def collect(rows, run):
 
 
 def main(settings, run):
-    """Runs the cases. `settings` has (engine's text, its own step) by name; `run(case, setting, step)` yields rows.
+    """Runs the cases.
 
-    A step of None is the engine's: then it chooses its steps by its accuracy.
+    `settings` has (text of the engine, its own step) by name; `run(case, setting, step)` yields
+    rows. A step of None means that the engine chooses its steps for its accuracy.
     """
     parser = argparse.ArgumentParser()
     parser.add_argument("suite", type=Path, help="the folder with suite.json")

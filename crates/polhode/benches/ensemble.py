@@ -40,7 +40,7 @@ def best(work, seconds=2.0):
 
 
 def heyoka():
-    """Returns ns per body and step of heyoka's Taylor method, in batches of the vector width, order 20."""
+    """Returns ns per body and step of heyoka's Taylor method, order 20, in batches of vector width."""
     import heyoka as hy
     import numpy as np
 

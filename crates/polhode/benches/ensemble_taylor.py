@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Measures Taylor's method for batches of bodies and heyoka's batches of eight: ns per step of a body, on one core.
+"""Compares Taylor's method for batches of bodies with heyoka: ns per step of a body, on one core.
 
     pip install heyoka
     python3 crates/polhode/benches/ensemble_taylor.py [BODIES]
 
 Runs `cargo bench -p polhode --bench ensemble_taylor`, then the same bodies with heyoka
-(https://bluescarni.github.io/heyoka.py), whose integrators are built before the measurement. The order
-of heyoka is 20 at its default tolerance 2.2e-16; that of polhode is 20 at 1e-8. Times are the minimum of
-many runs.
+(https://bluescarni.github.io/heyoka.py), whose integrators are built before the measurement. The
+order of heyoka is 20 at its default tolerance 2.2e-16; that of polhode is 20 at 1e-8. Times are the
+minimum of many runs.
 """
 
 import math

@@ -4,9 +4,9 @@
     pip install heyoka mpmath
     python3 crates/polhode/benches/speed.py
 
-Times are the minimum of many short runs. heyoka (https://bluescarni.github.io/heyoka.py) integrates the
-same table with its Taylor method at its default tolerance 2.2e-16. Its integrator is built before the
-measurement.
+Times are the minimum of many short runs. heyoka (https://bluescarni.github.io/heyoka.py) integrates
+the same table with its Taylor method at its default tolerance 2.2e-16. Its integrator is built
+before the measurement.
 """
 
 import os
@@ -31,7 +31,10 @@ def bench(flags, features=()):
 
 
 def least(lines):
-    """Returns the minimum of several runs for each line; lines that are not times are equal in all runs."""
+    """Returns the minimum of several runs for each line.
+
+    Lines that are not times are equal in all runs.
+    """
     return {name: min((run[name] for run in lines), key=lambda value: 0 if "[" in value else float(value)) for name in lines[0]}
 
 

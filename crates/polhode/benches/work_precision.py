@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Measures the cost of accuracy in polhode and other programs and writes book/work-precision.md and its figures.
+"""Measures the cost of accuracy in polhode and other programs.
+
+Writes book/work-precision.md and its figures.
 
     pip install heyoka scipy mujoco mpmath numpy
     python3 crates/polhode/benches/work_precision.py
@@ -29,7 +31,10 @@ EQUAL = (1e-6, 1e-9, 1e-12, 1e-15)
 
 
 class Problem:
-    """Initial I, ω and q = (w, x, y, z), end time, and torques: weight M g l along e3, orbital rate n, damping c."""
+    """A test problem: inertia I, initial ω and q = (w, x, y, z), end time, and torques.
+
+    The torques are a weight M g l along e3, an orbital rate n, and a damping c.
+    """
 
     def __init__(self, name, title, moments, omega, end, tilt=0.0, weight=0.0, orbit=0.0, damping=0.0):
         self.name, self.title, self.moments, self.omega, self.end = name, title, moments, omega, end
@@ -56,10 +61,14 @@ TOPS = [Problem(f"top {k}", "", (1.0, 1.0, 0.5), (0.0, 0.0, 5.0 + 0.01 * k), 100
 
 
 def truth(problem):
-    """Returns the quaternion at the end to about 35 digits, by Taylor series with a last term below 10^-DIGITS.
+    """Returns the quaternion at the end to about 35 digits.
 
-    u and v are space directions along body axes. With a weight, u is the vertical, u̇ = u × ω. On an orbit, u is
-    the direction to the body and v that along its path, u̇ = u × ω + n v, v̇ = v × ω − n u."""
+    It is computed by Taylor series with a last term below 10^-DIGITS.
+
+    u and v are space directions along body axes. With a weight, u is the vertical, u̇ = u × ω. On
+    an orbit, u is the direction to the body and v that along its path, u̇ = u × ω + n v,
+    v̇ = v × ω − n u.
+    """
     from mpmath import cos, fdot, mp, mpf, sin
 
     mp.dps = DIGITS + 8
@@ -209,7 +218,7 @@ def heyoka(built):
 
 
 def heyoka_call(built):
-    """Returns the time in s of a run without a step: the call from Python and the reset to the start."""
+    """Returns the time in s of a run without a step: the call from Python and the reset."""
     integrator, start = built[HEAVY_TOP, EQUAL[0]], HEAVY_TOP.start()
 
     def run():
@@ -272,7 +281,10 @@ def scipy(functions):
 
 
 def mujoco():
-    """Runs a body on a ball joint. The gravity gradient is omitted: it would be a Python callback, not MuJoCo."""
+    """Runs a body on a ball joint.
+
+    The gravity gradient is omitted: it would be a Python callback, not MuJoCo.
+    """
     import mujoco as mj
 
     runs = {}
@@ -368,7 +380,10 @@ def table(curves):
 
 
 def equal_tolerance(runs, exact):
-    """Returns the rows of the table of both Taylor methods. The twelve tops give the median time and error."""
+    """Returns the rows of the table of both Taylor methods.
+
+    The twelve tops give the median time and error.
+    """
 
     def middle(values):
         return sorted(values)[len(values) // 2]

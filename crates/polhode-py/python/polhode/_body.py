@@ -76,8 +76,8 @@ class Body(NoArray, Mapping[str, MassProperties]):
         position
             New position of the body's origin (3,), m.
         rotation
-            Rotation from present components to new ones: a quaternion (w, x, y, z), a matrix (3,
-            3), or a ``scipy.spatial.transform.Rotation``.
+            Rotation from present components to new ones: a quaternion (w, x, y, z), a matrix
+            (3, 3), or a ``scipy.spatial.transform.Rotation``.
 
         Returns
         -------

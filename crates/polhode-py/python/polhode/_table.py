@@ -111,8 +111,8 @@ class Table(NoArray):
     def to_xarray(self) -> xarray.Dataset:
         """Returns an xarray ``Dataset``.
 
-        Its dimensions are ``time`` (s), ``axis`` (x, y, z) for vectors and ``component`` (w, x, y,
-        z) for quaternions.
+        Its dimensions are ``time`` (s), ``axis`` (x, y, z) for vectors and ``component``
+        (w, x, y, z) for quaternions.
         """
         xr = _needed("xarray", "to_xarray")
         variables = self._variables()

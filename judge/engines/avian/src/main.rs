@@ -1,7 +1,8 @@
-//! Avian's motions of the suite's cases: `avian-run DIR --setting default|fine`.
+//! Computes the motions of the suite's cases with Avian: `avian-run DIR --setting default|fine`.
 //!
-//! A body without colliders; its velocities are along space axes. Mass, centre of mass and inertia are f32 in Avian, also where
-//! motion is f64. A held body is on a spherical joint to a static one. `ConstantTorque` is set anew before each step.
+//! The body has no colliders, and its velocities are in space axes. Mass, centre of mass and
+//! inertia are f32 in Avian, even if the motion is f64. A held body is on a spherical joint to a
+//! static body. `ConstantTorque` is set again before each step.
 
 #[path = "../../rapier/src/case.rs"]
 mod case;

@@ -1,4 +1,5 @@
-//! The suite's cases, what acts on their bodies, and the runs. Matrices are rows; quaternions are (w, x, y, z).
+//! Cases of the suite, torques on their bodies, and runs. Matrices are rows; quaternions are
+//! (w, x, y, z).
 
 use serde_json::Value;
 use std::{fmt::Write, fs, path::Path};
@@ -14,7 +15,7 @@ pub fn cross(a: V, b: V) -> V {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// a x + b y
+/// Returns a x + b y.
 pub fn sum(a: f64, x: V, b: f64, y: V) -> V {
     std::array::from_fn(|i| a * x[i] + b * y[i])
 }
@@ -27,7 +28,7 @@ pub fn transposed(m: M) -> M {
     std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
 }
 
-/// R_space_body of a unit quaternion.
+/// Returns R_space_body of a unit quaternion.
 pub fn matrix([w, x, y, z]: [f64; 4]) -> M {
     [
         [w * w + x * x - y * y - z * z, 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
@@ -36,7 +37,7 @@ pub fn matrix([w, x, y, z]: [f64; 4]) -> M {
     ]
 }
 
-/// Principal moments, and right-handed principal axes as rows, by Jacobi's rotations.
+/// Returns the principal moments, and right-handed principal axes as rows, by Jacobi rotations.
 pub fn principal(mut a: M) -> (V, M) {
     let mut axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for _ in 0..20 {
@@ -68,13 +69,13 @@ enum Torque {
         radial: V,
         motion: V,
     },
-    /// Momentum along the wheel's axis at the start, and the motor's torque on the wheel.
+    /// Wheel with its momentum along the axis at the start, and the motor's torque on the wheel.
     Wheel {
         axis: V,
         momentum: f64,
         motor: f64,
     },
-    /// Components amplitude · sin(rate t + phase) along body axes.
+    /// Torque with the components amplitude · sin(rate t + phase) in body axes.
     Swing([(f64, f64, f64); 3]),
 }
 
@@ -85,7 +86,7 @@ pub struct Case {
     pub center_of_mass: V,
     pub attitude: [f64; 4],
     pub omega_body: V,
-    /// Along space axes; the body is held at its origin then.
+    /// Acceleration of gravity, space axes; the body is then held at its origin.
     pub gravity: Option<V>,
     pub duration: f64,
     pub rows_every: f64,
@@ -106,7 +107,7 @@ fn numbers<const N: usize>(v: &Value) -> Option<[f64; N]> {
     v.as_array()?.iter().map(number).collect::<Option<Vec<_>>>()?.try_into().ok()
 }
 
-/// `a*sin(b*t)` or `a*cos(b*t)`
+/// Parses `a*sin(b*t)` or `a*cos(b*t)`.
 fn swing(text: &str) -> Option<(f64, f64, f64)> {
     let (amplitude, rest) = text.split_once('*')?;
     let (phase, rest) = match rest.strip_prefix("sin(") {
@@ -117,7 +118,7 @@ fn swing(text: &str) -> Option<(f64, f64, f64)> {
 }
 
 impl Case {
-    /// None where something is not as the suite says.
+    /// Reads a case; returns `None` if something is not as in the suite's format.
     pub fn read(v: &Value) -> Option<Case> {
         let rows = v["inertia_kg_m2"].as_array()?.iter().map(numbers).collect::<Option<Vec<V>>>()?;
         let mut case = Case {
@@ -159,7 +160,8 @@ impl Case {
         Some(case)
     }
 
-    /// With a motor the body is without the wheel's moment about its axis.
+    /// Reads a wheel. With a motor, the inertia of the body excludes the wheel's moment about its
+    /// axis.
     fn wheel(&mut self, t: &Value) -> Option<Torque> {
         let (axis, moment, speed): (V, _, _) =
             (numbers(&t["axis"])?, number(&t["moment_kg_m2"])?, number(&t["speed_rad_s"])?);
@@ -172,7 +174,7 @@ impl Case {
         Some(Torque::Wheel { axis, momentum: moment * (speed + dot(axis, self.omega_body)), motor })
     }
 
-    /// All torque but that of gravity on a held body, along space axes.
+    /// Returns the torque in space axes, without gravity on a held body.
     pub fn torque_space(&self, t: f64, attitude: [f64; 4], omega_body: V) -> V {
         let r = matrix(attitude);
         self.torques.iter().fold([0.0; 3], |total, torque| {
@@ -193,7 +195,7 @@ impl Case {
         })
     }
 
-    /// How many steps the case takes, and how many lie between rows.
+    /// Returns the number of steps of the case, and the number of steps between rows.
     pub fn steps(&self, step: f64) -> (usize, usize) {
         ((self.duration / step).round() as usize, ((self.rows_every / step).round() as usize).max(1))
     }

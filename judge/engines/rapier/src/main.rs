@@ -1,9 +1,11 @@
-//! Rapier's motions of the suite's cases: `rapier-run DIR --setting default|f64|fine`.
+//! Computes the motions of the suite's cases with Rapier:
+//! `rapier-run DIR --setting default|f64|fine`.
 //!
-//! A body without colliders, whose angular velocity is along space axes, and whose linear velocity is that of its centre of
-//! mass. A held body is on a spherical joint to a fixed one: an impulse joint, or with `fine` a multibody joint
-//! without the damping that it has by default. A torque acts until it is reset.
-//! `MassProperties::with_inertia_matrix` is not used, as it gives another tensor where two moments are equal.
+//! The body has no colliders. Its angular velocity is in space axes, and its linear velocity is
+//! that of its centre of mass. A held body is on a spherical joint to a fixed one: an impulse
+//! joint, or with `fine` a multibody joint without its default damping. A torque acts until it is
+//! reset. `MassProperties::with_inertia_matrix` is not used, because it gives a different tensor if
+//! two moments are equal.
 
 mod case;
 mod run;
@@ -14,7 +16,7 @@ const SETTINGS: [run::Setting; 3] = [
     ("fine", "Rapier 0.36.1, f64, multibody joints", 0.001),
 ];
 
-/// Rapier of one precision.
+/// Defines a module for Rapier in one precision.
 macro_rules! engine {
     ($name:ident, $rapier:ident, $real:ty) => {
         mod $name {
@@ -63,7 +65,8 @@ macro_rules! engine {
                     let joint =
                         SphericalJointBuilder::new().local_frame1(Pose::from_parts(Vector::ZERO, rotation));
                     if reduced {
-                        // The joint's coordinates start at zero, its velocity is along the axes of the first frame.
+                        // The joint's coordinates begin at zero, and its velocity is in the axes of
+                        // the first frame.
                         world.insert_multibody_joint(fixed, handle, joint);
                         let link = world.multibody_joints.rigid_body_link(handle).map(|link| link.multibody);
                         if let Some(multibody) =

@@ -1,12 +1,12 @@
-//! The command: `DIR --setting NAME [--out OUT] [--step S]… [--case NAME]…`.
+//! Command line: `DIR --setting NAME [--out OUT] [--step S]… [--case NAME]…`.
 
 use crate::case::{Case, Row, write};
 use std::{error::Error, fs, path::PathBuf, time::Instant};
 
-/// A setting's name, the engine's text and its own step.
+/// Name of a setting, text of the engine, and its own step, s.
 pub type Setting = (&'static str, &'static str, f64);
 
-/// Runs the cases; `run` gives rows, or why the engine cannot do a case.
+/// Runs the cases. `run` returns rows, or the reason why the engine cannot compute a case.
 pub fn run(
     settings: &[Setting],
     run: impl Fn(&Case, &str, f64) -> Result<Vec<Row>, String>,

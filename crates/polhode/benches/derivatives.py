@@ -107,7 +107,7 @@ def error(phi, exact):
 
 
 def at(curve, target):
-    """Returns the time in s at an error, by log-log interpolation; NaN outside the range of runs."""
+    """Returns the time at an error, s, by log-log interpolation; NaN outside the range of runs."""
     errors, seconds = np.log([[wrong, seconds] for seconds, wrong in sorted(curve, key=lambda run: run[1])]).T
     return math.exp(np.interp(math.log(target), errors, seconds, left=math.nan, right=math.nan))
 

@@ -40,7 +40,7 @@ def best(work, seconds=2.0):
 
 
 def heyoka():
-    """Returns ns per body and step of heyoka's Taylor method, order 20, in batches of vector width."""
+    """Returns ns per body and step of heyoka's Taylor method, order 20, in batches."""
     import heyoka as hy
     import numpy as np
 
@@ -66,7 +66,7 @@ def heyoka():
 
 
 def scipy_loop():
-    """Returns µs per body and unit of time of solve_ivp, DOP853 at 1e-9, one body after the other."""
+    """Returns µs per body and unit of time of solve_ivp, DOP853 at 1e-9, body after body."""
     import scipy
     from scipy.integrate import solve_ivp
 

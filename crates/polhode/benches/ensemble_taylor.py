@@ -21,7 +21,7 @@ MOMENTS, BATCH, END = (3.1, 4.2, 5.3), 8, 100.0
 
 
 def equations(problem):
-    """Returns the rates of the angular velocity in principal axes and of the attitude quaternion."""
+    """Returns the rates of ω in principal axes and of the attitude quaternion."""
     import heyoka as hy
 
     w1, w2, w3, q0, q1, q2, q3 = hy.make_vars("w1", "w2", "w3", "q0", "q1", "q2", "q3")

@@ -53,7 +53,8 @@ PROBLEMS = [
 
 
 HEAVY_TOP = PROBLEMS[1]
-# B with other spins: at the tightest tolerance only rounding remains, and one start is one sample of it.
+# Problem B with other spins. At the tightest tolerance only rounding errors remain, and one start is
+# one sample of these.
 TOPS = [Problem(f"top {k}", "", (1.0, 1.0, 0.5), (0.0, 0.0, 5.0 + 0.01 * k), 100.0, tilt=math.pi / 3, weight=1.0) for k in range(12)]
 
 

@@ -52,8 +52,10 @@ class CheckReport:
 
     @property
     def findings(self) -> list[ModelFinding]:
-        """Findings that count. Findings that comments in the model allow are in
-        ``to_dict()["allowed"]``."""
+        """Findings that count.
+
+        Findings that comments in the model allow are in ``to_dict()["allowed"]``.
+        """
         return [ModelFinding(**finding) for finding in self.to_dict()["findings"]]
 
     @property

@@ -79,7 +79,7 @@ class Flights(Table):
         return iter(self._flights)
 
     def index(self, flight: Flight) -> int:
-        """Index of the first flight that equals the given one.
+        """Returns the index of the first flight that equals the given one.
 
         Parameters
         ----------
@@ -99,7 +99,7 @@ class Flights(Table):
         return self._flights.index(flight)
 
     def count(self, flight: Flight) -> int:
-        """Number of flights that equal the given one.
+        """Returns the number of flights that equal the given one.
 
         Parameters
         ----------

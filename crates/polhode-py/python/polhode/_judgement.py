@@ -165,7 +165,10 @@ class Judgement:
 
     @property
     def exact_attitude(self) -> Floats:
-        """Exact attitudes R_space_body as unit quaternions (n, 4): w, x, y, z."""
+        """Exact attitudes R_space_body as unit quaternions (n, 4): w, x, y, z.
+
+        They are continuous in sign.
+        """
         return _shown(self._judged["exact_attitude"])
 
     @property

@@ -1,5 +1,4 @@
-"""Numbers of a scenario by their keys: those that can be varied, and the scenario with other
-values."""
+"""Numbers of a scenario by key: those that can be varied, and scenarios with other values."""
 
 from __future__ import annotations
 

@@ -16,11 +16,10 @@ if TYPE_CHECKING:
 def widget(scenario: Scenario | str | os.PathLike[str], knobs: Knobs | None = None, *, error: str = "auto") -> MotionWidget:
     """Shows the motion of a scenario in a notebook, with sliders for its numbers.
 
-    Requires anywidget.
-
-    Each change computes the motion in the kernel. During a computation, only the latest values wait
-    for the next one. A value that is refused is shown with the reason, and the motion remains as it
-    was. Each number has a slider and an input field, and everything can be used with the keyboard.
+    It requires anywidget. Each change computes the motion in the kernel. During a computation, only
+    the latest values wait for the next one. A value that is refused is shown with the reason, and
+    the motion remains as it was. Each number has a slider and an input field, and everything can be
+    used with the keyboard.
 
     Parameters
     ----------

@@ -112,8 +112,8 @@ class BodyDerivatives(Record):
     by_densities: Floats
     #: Derivatives by the position of each part (10, n, 3), per m.
     by_positions: Floats
-    #: Derivatives by a small rotation vector θ of each part about its point (10, n, 3), per rad: R
-    #: → exp(θ) R.
+    #: Derivatives by a small rotation vector θ of each part about its point (10, n, 3), per rad:
+    #: R → exp(θ) R.
     by_rotations: Floats
     #: Derivatives by the ten numbers of each part where it is placed (10, n, 10), which are about
     #: its own centre of mass, body axes. Use them for the chain rule from a part to the whole:

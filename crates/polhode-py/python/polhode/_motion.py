@@ -92,7 +92,10 @@ class Motion(Table):
 
     @property
     def momentum(self) -> Floats:
-        """Angular momentum about the centre of rotation (n, 3), space axes, kg·m²/s."""
+        """Angular momentum (n, 3), space axes, kg·m²/s.
+
+        Its reference point is the point that the body turns about.
+        """
         return self._stacked("momentum_space_{}_kg_m2_s", "xyz")
 
     @property

@@ -58,8 +58,9 @@ _SEVERAL: dict[str, tuple[str, type[Section]]] = {
 
 
 class Scenario:
-    """One body and its motion. It is checked when it is made, so that every scenario can be
-    computed.
+    """One body and its motion.
+
+    It is checked when it is made, so that every scenario can be computed.
 
     Parameters
     ----------

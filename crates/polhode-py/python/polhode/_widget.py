@@ -1,5 +1,4 @@
-"""Notebook widget: sliders for numbers of a scenario, and the motion that the kernel computes for
-them."""
+"""Notebook widget: sliders for numbers of a scenario, and the motion for their values."""
 
 from __future__ import annotations
 

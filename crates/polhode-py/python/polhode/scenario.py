@@ -488,7 +488,7 @@ class TorqueTable(Torque):
     ----------
     axes
         Axes of the components: ``"body"`` or ``"space"``.
-    table
+    table_
         Path of the file.
     interpolation
         Interpolation: ``"steps"``, ``"linear"`` or ``"spline"``.
@@ -791,7 +791,7 @@ class Contact(Section):
 
     @classmethod
     def from_dict(cls, table: Mapping[str, Any]) -> Contact:
-        """A table of these keys and values."""
+        """Makes a table of these keys and values."""
         inner = {key: kind.from_dict(table[key]) for key, kind in (("surface", Surface), ("ground", Ground)) if key in table}
         return super().from_dict({**table, **inner})
 

@@ -1,5 +1,6 @@
-"""Sweeps: computation of all members of a plan into a folder, locally or on a cluster. Requires
-PyArrow.
+"""Sweeps: computation of all members of a plan into a folder, locally or on a cluster.
+
+Requires PyArrow.
 
 ``polhode sweep --on`` calls ``python -m polhode.sweep PLAN.toml -o DIR --on dask://HOST:PORT``.
 

@@ -102,7 +102,6 @@ export class Motion {
 
   // L may be zero while the body turns, if its wheels turn the other way. Then its rounding error
   // is set to zero. The carrier's L is at least 2 T/|ω|.
-  // least 2 T/|ω|.
   #settle(): void {
     let size = Math.max(...this.wheels.map(({ momentum }) => largest(momentum)), 0);
     for (let i = 0; i < this.count; i += 1) {

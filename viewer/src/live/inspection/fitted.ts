@@ -37,7 +37,7 @@ export function outermost(points: Vector3[]): Vector3[] {
   return points.length > 0 ? farthest.points : [];
 }
 
-/** Returns the corners of the bounding box of some points, with half edges of at least `least`. */
+/** Returns the corners of a box around some points, whose half diagonal is at least `least`. */
 export function box(points: Vector3[], least: number): Vector3[] {
   const around = new Box3().setFromPoints(points);
   const middle = around.getCenter(new Vector3());

@@ -40,7 +40,7 @@ def model(case, integrator, step):
 
 
 def run(case, setting, step):
-    mujoco.set_mjcb_control(None)  # that of the case before, which compiling a model would call
+    mujoco.set_mjcb_control(None)  # otherwise compilation would call that of the previous case
     m = model(case, INTEGRATORS[setting], step)
     d = mujoco.MjData(m)
     q, w = slice(m.nq - 4, m.nq), slice(m.nv - 3, m.nv)

@@ -55,8 +55,8 @@ class Case:
         self.omega_body = np.array(entry["omega_body_rad_s"], float)
         self.duration = float(entry["duration_s"])
         self.rows_every = float(entry["rows_every_s"])
-        self.gravity = None  # along space axes; the body is held at its pivot then
-        self.torques = []  # functions (t, R_space_body, omega_body) -> torque along body axes
+        self.gravity = None  # space axes; the body is then held at its pivot
+        self.torques = []  # functions (t, R_space_body, omega_body) -> torque in body axes
         for torque in entry["torque"]:
             self._add(torque)
 

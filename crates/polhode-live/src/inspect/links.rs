@@ -88,7 +88,7 @@ impl<'a> Meshes<'a, '_> {
         let shape = shape_of(&placed, name, TRIANGLES);
         let mut shape = shape.ok_or("it has no size, or numbers of single precision do not hold it")?;
         if let Some(count) = shape.get_mut("of") {
-            *count = json!(of); // before it was made coarser
+            *count = json!(of); // number before simplification
         }
         Ok(shape)
     }

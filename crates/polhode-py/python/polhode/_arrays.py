@@ -242,7 +242,7 @@ def _few(value: Any, count: int) -> list[float] | None:
         value = value.tolist()
     if (type(value) is list or type(value) is tuple) and len(value) == count:
         for number in value:
-            if type(number) is not float and type(number) is not int or not -EXACT <= number <= EXACT:  # not so NaN
+            if type(number) is not float and type(number) is not int or not -EXACT <= number <= EXACT:  # false for NaN
                 return None
         return [*map(float, value)]
     return None

@@ -107,7 +107,7 @@ def _part(plan: Plan, part: tuple[int, tuple[int, int]]) -> Done:
 
 def _workers(client: Client, on: str) -> int:
     try:
-        threads: Any = client.nthreads()  # of a client that does not wait it would be a coroutine
+        threads: Any = client.nthreads()  # a coroutine for an asynchronous client
         return len(threads)
     except OSError as error:
         raise lost(on, "its scheduler does not answer") from error

@@ -85,7 +85,7 @@ class _Cell:
         if shell is None:
             return True
         kernel = shell.kernel
-        cell = kernel.get_parent("shell").get("metadata", {}).get("cellId")  # which not all programs tell
+        cell = kernel.get_parent("shell").get("metadata", {}).get("cellId")  # not set by all programs
         is_again = cell is not None and cell == self._id and shell.execution_count != self._count
         if kernel is self._kernel and not is_again:
             return False

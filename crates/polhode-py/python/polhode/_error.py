@@ -39,7 +39,7 @@ def in_python(text: str) -> str:
         if flag not in _SAME and flag not in _RENAMED:
             return f"the command's {found[0]}"
         name = _RENAMED.get(flag, flag).replace("-", "_")
-        if found[2] == " ":  # before a value in quotes
+        if found[2] == " ":  # a value in quotes follows
             return f"{name}="
         quoted = " or ".join(f'"{one.replace("-", "_")}"' for one in value.split(" or "))
         return f"{name}={quoted}" if value.islower() else name

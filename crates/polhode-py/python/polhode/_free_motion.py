@@ -218,7 +218,7 @@ class FreeMotion:
             self._native.fill(given, *out)
             return States(kept, *out)
         except PolhodeError:
-            _arrays.numbers("times", given, ("n",))  # says which is not finite
+            _arrays.numbers("times", given, ("n",))  # names the time that is not finite
             raise
 
     def derivatives(self, times: npt.ArrayLike) -> Derivatives:

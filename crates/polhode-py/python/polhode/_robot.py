@@ -67,7 +67,7 @@ def fixed_groups(path: str | os.PathLike[str]) -> dict[str, MassProperties]:
     """
     groups = _native.robot_groups(_arrays.path("path", path))
     bodies = {name: MassProperties._of(body) for name, body in groups}
-    for body in list(bodies.values())[:1]:  # what was noticed in the file, once
+    for body in list(bodies.values())[:1]:  # findings of the file, reported once
         body._heard()
     return bodies
 

@@ -81,7 +81,7 @@ def read(source: Any, format: str | None, function: Callable[[str], MassProperti
             body = function(str(path))
         except PolhodeError as error:
             raise PolhodeError(*_without(hidden, error.args)) from None
-        except FileNotFoundError as error:  # one that it names
+        except FileNotFoundError as error:  # a file to which the source refers
             raise FileNotFoundError(error.errno, *_without(hidden, (error.strerror, error.filename))) from None
         return rebuilt(MassProperties, _without(hidden, body._native.state()))
 

@@ -107,7 +107,7 @@ def taken_apart(name: str, value: Any) -> tuple[Any, float, dict[str, int]]:
     library = library_of(value)
     try:
         given, powers = _of_pint(value) if library == "pint" else _of_astropy(value)
-    except Exception as error:  # whatever the library says of units that it cannot convert
+    except Exception as error:  # any error of the library for units that it cannot convert
         raise TypeError(f"{name} has a unit that is none of SI's ({type(error).__name__}: {error})") from None
     if "Hz" in given or "hertz" in given:
         raise PolhodeError(f"{name} is in {given}, which may be turns or radians in a second", "give rad/s, or turns in a second")

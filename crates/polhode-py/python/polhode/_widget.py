@@ -123,7 +123,7 @@ class MotionWidget(anywidget.AnyWidget):
             self._refuse(turn, values, error.message, error.hint)
         except KeyboardInterrupt:
             self._refuse(turn, values, "The computation was interrupted.", None)
-        except Exception as error:  # of a torque that Python computes
+        except Exception as error:  # raised by a torque that is a Python function
             self._refuse(turn, values, f"{type(error).__name__}: {error}", None)
 
     def _refuse(self, turn: int, values: Mapping[str, float], message: str, hint: str | None) -> None:

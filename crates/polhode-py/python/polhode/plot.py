@@ -134,7 +134,7 @@ def _axes(ax: Axes | None, solid: bool = False) -> tuple[Figure, Any]:
     if (ax.name == "3d") != solid:
         raise PolhodeError(f"ax are axes of the projection {ax.name!r}, which this figure is not", 'subplot_kw={"projection": "3d"} is for the polhode')
     figure = ax.get_figure(root=True)
-    assert figure is not None  # axes that were removed have none, and cannot be drawn into
+    assert figure is not None  # removed axes have no figure, and cannot be used
     return figure, ax
 
 

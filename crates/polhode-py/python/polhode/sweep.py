@@ -24,7 +24,7 @@ from . import _arrays, _cluster, _html, _native, batch
 from ._error import PolhodeError, PolhodeWarning
 from .batch import Plan
 
-import pyarrow as pa  # after batch, which says how to install it
+import pyarrow as pa  # after batch, whose error explains the installation
 from ._parts import Done, Parts
 
 #: Engines, and the packages that pip must install for them.

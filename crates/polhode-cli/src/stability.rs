@@ -9,20 +9,23 @@ use polhode_source::files::Disk;
 use crate::failure::Failure;
 use crate::stdout::{columns, print};
 
-/// Say which steady motions of a scenario's body last: permanent rotations, and small oscillations about an equilibrium.
+/// Report which spins and rests of a scenario's body are stable.
 ///
-/// The permanent rotations are those of the body with its wheels, without torque, with the angular momentum of the start, and with
-/// what friction inside makes of them. If torques act, the oscillations are those about the start if it is an equilibrium, else about
-/// the one that is meant: at rest relative to a circular orbit, the steady precession of a top, the nearest one. Frequencies, damping
-/// or growth, and the axes about which the body swings.
+/// Without torques these are the steady spins with the angular momentum of the start, with wheels
+/// and with the effect of friction inside. With torques it is the start if it is an equilibrium, or
+/// else a related one: at rest relative to a circular orbit, the steady precession of a top, or the
+/// nearest one. Small oscillations about it are reported with period, growth rate and axis; for a
+/// top also the sleeping-top threshold.
 ///
-/// Of a body on the ground, with a [contact], it is the steady motion that the start is near to: rolling upright, spinning upright or on a
-/// point below the centre of mass, the end states of a tippe top. Its rates, and the spin at which it becomes stable, in closed form.
+/// With a [contact], it is the steady motion on the ground nearest to the start: rolling upright,
+/// spinning upright or on a point below the centre of mass, the end states of a tippe top. The
+/// threshold of the spin is in closed form.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polhode stability examples/t-handle.toml
   polhode stability examples/gravity-gradient.toml
+  polhode stability examples/heavy-top.toml --verbose
   polhode stability examples/heavy-top.toml --json | jq .small_oscillations.modes")]
 pub(crate) struct Stability {
     #[command(flatten)]

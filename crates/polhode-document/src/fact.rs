@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::layout::{labelled_from, plain_spaces};
+use crate::layout::{columns, labelled_from, plain_spaces};
 use crate::number::{
     count, error, has_digits, number, quaternion, tidy, tidy_beside, typeset, vector, vector_within, within,
 };
@@ -87,6 +87,8 @@ pub enum Quantity {
     Text(String),
     /// Structured part of the JSON, and its text.
     Data(Value, String),
+    /// List of objects in the JSON; a table for people, of those that have a title.
+    Table(Vec<Facts>),
 }
 
 impl From<Option<Self>> for Quantity {
@@ -185,11 +187,20 @@ impl Fact {
         json!({ "label": self.label, "value": typeset(&value), "unit": unit, "note": typeset(&self.note) })
     }
 
-    fn line(&self) -> String {
+    /// Returns the line of a text, or its lines if the value is a table.
+    fn line(&self, details: bool) -> String {
+        match &self.value {
+            Quantity::Table(rows) => table(&self.label, rows, details),
+            _ => labelled_from(COLUMN, &format!("  {}", self.label), &self.in_words()),
+        }
+    }
+
+    /// Returns the value with its unit and note.
+    fn in_words(&self) -> String {
         let (value, unit) = self.value.in_unit(self.error, self.scale, self.digits);
         let unit = if unit.is_empty() || unit == "°" { unit } else { format!("\u{a0}{unit}") };
         let note = if self.note.is_empty() { String::new() } else { format!(", {}", self.note) };
-        labelled_from(COLUMN, &format!("  {}", self.label), &format!("{value}{unit}{note}"))
+        format!("{value}{unit}{note}")
     }
 }
 
@@ -202,16 +213,47 @@ impl Facts {
     /// Returns the title and a line for each fact, with details only if requested. Empty without
     /// facts.
     pub fn to_text(&self, details: bool) -> String {
-        let shown = self.facts.iter().filter(|fact| fact.is_shown() && (details || !fact.is_detail));
-        let lines: String = shown.map(Fact::line).collect();
+        let lines: String = self.shown(details).map(|fact| fact.line(details)).collect();
         if lines.is_empty() { lines } else { plain_spaces(&format!("{}\n{lines}", self.title)) }
+    }
+
+    fn shown(&self, details: bool) -> impl Iterator<Item = &Fact> {
+        self.facts.iter().filter(move |fact| fact.is_shown() && (details || !fact.is_detail))
     }
 
     /// Returns the `title` and the `rows` of a page; `None` if no fact has a label.
     pub fn to_rows(&self) -> Option<Value> {
-        let rows: Vec<Value> = self.facts.iter().filter(|fact| fact.is_shown()).map(Fact::row).collect();
+        let is_line = |fact: &&Fact| !matches!(fact.value, Quantity::Table(_));
+        let rows: Vec<Value> = self.shown(true).filter(is_line).map(Fact::row).collect();
         (!rows.is_empty()).then(|| json!({ "title": self.title, "rows": rows }))
     }
+}
+
+fn table(label: &str, rows: &[Facts], details: bool) -> String {
+    let rows: Vec<&Facts> = rows.iter().filter(|row| !row.title.is_empty()).collect();
+    let mut labels: Vec<&str> = Vec::new();
+    for row in &rows {
+        let mut at = 0;
+        for fact in row.facts.iter().filter(|fact| !fact.label.is_empty()) {
+            let found = labels.iter().position(|label| *label == fact.label);
+            if found.is_none() {
+                labels.insert(at, &fact.label);
+            }
+            at = found.unwrap_or(at) + 1;
+        }
+    }
+    labels.retain(|label| rows.iter().any(|row| row.shown(details).any(|fact| fact.label == *label)));
+    let line = |row: &&Facts| {
+        let cell = |label: &&str| {
+            let fact = row.shown(details).find(|fact| fact.label == *label);
+            fact.map_or_else(String::new, |fact| plain_spaces(&fact.in_words()))
+        };
+        [row.title.clone()].into_iter().chain(labels.iter().map(cell)).collect()
+    };
+    let head = [label].iter().chain(&labels).map(|&label| label.to_owned()).collect();
+    let lines: Vec<Vec<String>> =
+        if rows.is_empty() { Vec::new() } else { [head].into_iter().chain(rows.iter().map(line)).collect() };
+    columns(&lines).iter().map(|line| format!("  {line}\n")).collect()
 }
 
 /// Returns the facts as a JSON object with these top-level keys in this order; a missing fact is
@@ -255,6 +297,9 @@ impl Quantity {
             Self::Word(word, _) => (*word).into(),
             Self::Text(text) => text.as_str().into(),
             Self::Data(json, _) => json.clone(),
+            Self::Table(rows) => {
+                rows.iter().map(|row| Value::Object(object(&[], std::slice::from_ref(row)))).collect()
+            }
         }
     }
 
@@ -273,7 +318,8 @@ impl Quantity {
             | Self::Count(_)
             | Self::Word(..)
             | Self::Text(_)
-            | Self::Data(..) => f64::INFINITY,
+            | Self::Data(..)
+            | Self::Table(_) => f64::INFINITY,
         }
     }
 
@@ -281,7 +327,7 @@ impl Quantity {
         let exact = |x: f64| tidy_beside([x, 0.0, 0.0], 10.0 * scale)[0];
         match self {
             _ if !has_digits(self.size(), sigma) => (NO_RIGHT_DIGIT.to_owned(), String::new()),
-            Self::None => (String::new(), String::new()),
+            Self::None | Self::Table(_) => (String::new(), String::new()),
             Self::Number(x, "kg") => split(&unit::mass(*x)),
             Self::Number(x, "m") => split(&unit::length(*x)),
             Self::Number(x, "m³") => split(&unit::volume(*x)),
@@ -411,5 +457,26 @@ mod tests {
         assert_eq!(facts.to_rows(), Some(json!({ "title": "Solver", "rows": rows })));
         let wanted = json!({ "at": null, "run": { "steps": 2001, "method": null } });
         assert_eq!(Value::Object(object(&["at", "run"], &[facts])), wanted);
+    }
+
+    #[test]
+    fn tables_have_the_rows_with_titles() {
+        let row = |title: &str, rate: f64, growth: Option<f64>| {
+            let growth = growth.map(|rate| Quantity::Number(rate, "/s"));
+            let facts = vec![
+                Fact::new("spin", "spin", Quantity::Number(rate, "rad/s")),
+                Fact::new("growth", "growth rate", growth),
+            ];
+            Facts::new(title, facts)
+        };
+        let rows = vec![row("1", 12_345.5, None), row("", 3.0, None), row("2", 2.0, Some(0.5))];
+        let facts = Facts::new("Spins", vec![Fact::new("all", "axis", Quantity::Table(rows))]);
+        let wanted = "Spins\n  axis  spin           growth rate\n  1     12345.5 rad/s\n  2     2 rad/s        0.5 /s\n";
+        assert_eq!(facts.to_text(false), wanted);
+        let wanted = json!([12_345.5, 3.0, 2.0]).as_array().unwrap().clone();
+        let json = object(&[], &[facts]);
+        let spins: Vec<Value> =
+            json["all"].as_array().unwrap().iter().map(|row| row["spin"].clone()).collect();
+        assert_eq!(spins, wanted);
     }
 }

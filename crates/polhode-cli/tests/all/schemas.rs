@@ -114,8 +114,9 @@ fn requests_fit() {
     let full =
         json!({ "file": "slew.toml", "at": ["30 s"], "point": ["0.5 kg, 0, 10 cm, 0"], "verbose": true });
     check_request::<torque::Request>(torque::REQUEST_SCHEMA, &full);
-    let full = json!({ "file": "top.toml" });
+    let full = json!({ "file": "top.toml", "verbose": true });
     check_request::<stability::Request>(stability::REQUEST_SCHEMA, &full);
+    let full = json!({ "file": "top.toml" });
     check_request::<explain::Request>(explain::REQUEST_SCHEMA, &full);
 }
 

@@ -29,7 +29,7 @@ pub static REPORT_SCHEMA: LazyLock<String> =
 /// use polhode_scenario::request::stability::{Request, run};
 /// use polhode_source::files::Memory;
 /// let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 2\n[start]\nspin = { body = [0.1, 3, 0] }\n";
-/// let request = Request { file: "box.toml".into() };
+/// let request = Request { file: "box.toml".into(), ..Request::default() };
 /// let report = run(&request, &Memory::from([("box.toml", text)]))?;
 /// assert_eq!(report.to_json()["permanent_rotations"].as_array().unwrap().len(), 6);
 /// # Ok::<(), polhode_source::Failure>(())
@@ -40,6 +40,9 @@ pub static REPORT_SCHEMA: LazyLock<String> =
 pub struct Request {
     /// The scenario, a TOML file.
     pub file: PathBuf,
+    /// Print the details too: spins without the torques, attitudes and axes, rates that are zero.
+    #[cfg_attr(feature = "arguments", arg(short, long))]
+    pub verbose: bool,
 }
 
 /// Finds the steady motions of a scenario's body and their stability.
@@ -73,9 +76,13 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Stability, Failure> {
     Ok(match scenario.ground() {
         Some(ground) => {
             let report = GroundStabilityReport::of_scenario(source, &scenario, ground);
-            Stability::OnGround(Box::new(report.map_err(|error| Failure::of_motion(&path, error))?))
+            let report = report.map_err(|error| Failure::of_motion(&path, error))?;
+            Stability::OnGround(Box::new(report.verbose(request.verbose)))
         }
-        None => Stability::Free(Box::new(StabilityReport::of_scenario(source, &scenario))),
+        None => {
+            let report = StabilityReport::of_scenario(source, &scenario);
+            Stability::Free(Box::new(report.verbose(request.verbose)))
+        }
     })
 }
 

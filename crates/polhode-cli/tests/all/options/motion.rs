@@ -101,6 +101,16 @@ static SPIN: Subcommand = Subcommand {
     ],
 };
 
+static STABILITY: Subcommand = Subcommand {
+    name: "stability",
+    inputs: &[("fresh", &["body.toml"])],
+    options: &[
+        choice("--verbose", &["--verbose"], &["fresh"], &[]),
+        choice("--json", &["--json"], &["fresh"], &[]),
+    ],
+    independent: &[("--json", "--verbose", "JSON has the details with and without it")],
+};
+
 const GIVEN: &[&str] = &["given", "table there"];
 
 static TORQUE: Subcommand = Subcommand {
@@ -165,6 +175,11 @@ fn pairs_of_simulate() {
 #[test]
 fn pairs_of_spin() {
     every_pair_is_honoured_or_refused(&SPIN);
+}
+
+#[test]
+fn pairs_of_stability() {
+    every_pair_is_honoured_or_refused(&STABILITY);
 }
 
 #[test]

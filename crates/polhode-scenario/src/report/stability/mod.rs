@@ -1,22 +1,26 @@
-//! The report of `polhode stability`: permanent rotations, and small oscillations about an equilibrium.
+//! The report of `polhode stability`: permanent rotations, small oscillations about an equilibrium.
 
+mod answer;
+mod facts;
 mod ground;
+mod oscillations;
 mod search;
-mod summary;
-mod text;
+mod words;
 
 use polhode::body::Finding;
 use polhode::motion::torque::{EnergySink, TorqueModel};
 use polhode::motion::{MotionError, Rotor, Scenario, State};
 use polhode::observe::PermanentRotation;
-use polhode_document::SourceInfo;
+use polhode_document::fact::Facts;
+use polhode_document::layout::{WIDTH, plain_spaces, wrap};
+use polhode_document::{SourceInfo, finding};
 use serde_json::Value;
 
 use search::{Found, Prevented, search};
 
 pub use ground::GroundStabilityReport;
 
-/// Whether steady motions of a scenario's body last, ready to be read.
+/// Stability of the steady motions of a scenario's body.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -26,51 +30,54 @@ pub use ground::GroundStabilityReport;
 /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 1.0, 0.0) };
 /// let report = StabilityReport::new(SourceInfo::new("body.toml", "scenario"), &body, &[], start);
-/// // √((2 − 1)(3 − 2)/(1·3)) ω
-/// assert!(report.to_text().contains("a departure grows at 0.577")); // |L| = 2, as at the start, along axis 2: ω = 1 rad/s
+/// // Growth rate √((2 − 1)(3 − 2)/(1·3)) ω with ω = 1 rad/s, that of |L| = 2 along axis 2.
+/// assert!(report.to_text().contains("about axis 2 unstable (e-folding time 1.732 s)"));
 /// # Ok::<(), BodyError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct StabilityReport {
-    /// Where the body came from.
+    /// Source of the body.
     pub source: SourceInfo,
-    /// What was noticed on the way.
+    /// Findings about the scenario.
     pub findings: Vec<Finding>,
     rotor: Rotor,
-    /// |L| that the permanent rotations have, kg·m²/s.
+    /// |L| of the permanent rotations, kg·m²/s.
     momentum: f64,
-    /// True if it is that of the start.
+    /// True if the momentum is that of the start.
     is_of_start: bool,
     /// Friction inside.
     sink: Option<EnergySink>,
-    /// At each time from which on the wheels keep their momentum; at the start if there is none.
+    /// Results at each time from which on the wheels keep their momentum, or else at the start.
     judged: Vec<Judged>,
     /// True if a motor never stops.
     is_always_driven: bool,
+    is_verbose: bool,
 }
 
-/// A torque, and what it is called.
+/// Torque and its name.
 #[derive(Clone, Debug)]
 struct Acting {
-    /// The scenario's name of it, or else that of its model, with its number where another has the same.
+    /// Name in the scenario, or else that of the model, with a number if several have this model.
     name: String,
     model: TorqueModel,
 }
 
-/// What lasts while the wheels have the momentum of one time.
+/// Steady motions while the wheels have the momentum of one time.
 #[derive(Clone, Debug)]
 struct Judged {
     /// s
     time: f64,
     rotations: Result<Vec<PermanentRotation>, MotionError>,
-    /// None without torques that act.
+    /// True if a torque other than friction inside acts.
+    is_driven: bool,
+    /// `None` without torques that act.
     oscillations: Option<Result<Found, Box<Prevented>>>,
-    /// The names of torques that do not act then.
+    /// Names of torques that do not act then.
     idle: Vec<String>,
 }
 
 impl StabilityReport {
-    /// The report of a scenario.
+    /// Creates the report of a scenario.
     pub fn of_scenario(source: SourceInfo, scenario: &Scenario) -> Self {
         let torques = scenario.torques().iter().zip(scenario.torque_names()).enumerate();
         let named = torques.map(|(k, (model, name))| {
@@ -88,17 +95,23 @@ impl StabilityReport {
         Self { findings: findings.collect(), ..report }
     }
 
-    /// The report of a body, its torques and its start.
+    /// Creates the report of a body, its torques and its start.
     pub fn new(source: SourceInfo, rotor: &Rotor, torques: &[TorqueModel], start: State) -> Self {
         let named = |model: &TorqueModel| Acting { name: model.name().to_owned(), model: model.clone() };
         let torques: Vec<_> = torques.iter().map(|model| (named(model), true)).collect();
         Self::of(source, rotor, &torques, start)
     }
 
-    /// The same of torques that are switched on or off.
+    /// Adds details to the text: spins without the torques, attitudes, rates that are zero.
+    #[must_use]
+    pub fn verbose(self, is_verbose: bool) -> Self {
+        Self { is_verbose, ..self }
+    }
+
+    /// Creates the report of a body with torques that are switched on or off.
     fn of(source: SourceInfo, rotor: &Rotor, torques: &[(Acting, bool)], start: State) -> Self {
         let at_start = rotor.angular_momentum_space(&start).norm();
-        // A body at rest is asked about 1 rad/s around its axis of greatest moment.
+        // For a body at rest, the momentum is that of 1 rad/s about its axis of greatest moment.
         let momentum = if at_start > 0.0 { at_start } else { rotor.principal().moments()[2] };
         let times = PermanentRotation::times(rotor);
         let is_always_driven = times.is_empty();
@@ -109,6 +122,7 @@ impl StabilityReport {
             Judged {
                 time,
                 rotations: PermanentRotation::all_at(rotor, momentum, time),
+                is_driven: acting.iter().any(|torque| !matches!(torque.model, TorqueModel::EnergySink(_))),
                 oscillations: (!acting.is_empty()).then(|| search(rotor, &acting, State { time, ..start })),
                 idle: idle.into_iter().map(|(torque, _)| torque.name.clone()).collect(),
             }
@@ -127,21 +141,37 @@ impl StabilityReport {
                 times.into_iter().map(judged).collect()
             },
             is_always_driven,
+            is_verbose: false,
         }
     }
 
-    /// One screen for people.
+    /// Returns the text: the answer, then the facts.
     pub fn to_text(&self) -> String {
-        text::write(self)
+        screen(&self.source, &answer::lines(self), &facts::of(self), &self.findings, self.is_verbose)
     }
 
-    /// One object with the same keys for every scenario.
+    /// Returns one object with the same keys for every scenario.
     pub fn to_json(&self) -> Value {
-        summary::of(self)
+        facts::json(self)
     }
 }
 
-/// All friction inside, as one sink.
+/// Returns the text of a report.
+fn screen(
+    source: &SourceInfo,
+    answer: &[String],
+    facts: &[Facts],
+    findings: &[Finding],
+    is_verbose: bool,
+) -> String {
+    let mut lines = vec![source.heading()];
+    lines.extend(answer.iter().flat_map(|line| wrap(line, "", WIDTH)));
+    let mut text = lines.join("\n") + "\n\n";
+    text.extend(facts.iter().map(|facts| facts.to_text(is_verbose)));
+    plain_spaces(&(text + &finding::to_text(findings)))
+}
+
+/// Returns all friction inside, as one sink.
 fn sink<'a>(torques: impl Iterator<Item = &'a TorqueModel>) -> Option<EnergySink> {
     let coefficient = |torque: &TorqueModel| match torque {
         TorqueModel::EnergySink(sink) => sink.coefficient(),

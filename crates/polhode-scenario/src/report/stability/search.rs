@@ -1,8 +1,8 @@
-//! Which equilibrium is meant, and what prevents one.
+//! Search for the equilibrium that is meant, and for torques that prevent one.
 
 use polhode::math::{AngularVelocity, Direction, Space};
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{MotionError, Rotor, State};
+use polhode::motion::{HeavyTop, MotionError, Rotor, State};
 use polhode::observe::{OrbitalEquilibrium, SmallOscillations, SteadyTop};
 
 use super::Acting;
@@ -12,11 +12,13 @@ use super::Acting;
 pub(crate) struct Found {
     pub start: State,
     pub place: Place,
-    /// The turn from the start's attitude, rad; of a top that of its axis.
+    /// Angle from the start's attitude, rad; for a top, of its axis.
     pub turned: f64,
-    /// How much its ω in space differs from the start's, rad/s.
+    /// Difference of ω in space from the start's, rad/s.
     pub omega_off: f64,
     pub oscillations: SmallOscillations,
+    /// Heavy symmetric top that the body is, if gravity alone acts.
+    pub heavy: Option<HeavyTop>,
     /// All attitudes at rest relative to a circular orbit, the nearest first.
     pub on_orbit: Vec<(OrbitalEquilibrium, SmallOscillations)>,
 }
@@ -27,7 +29,8 @@ pub(crate) enum Place {
     Start,
     /// The nearest one that keeps its place relative to the orbit.
     Orbit(Box<OrbitalEquilibrium>),
-    /// A steady motion of a heavy symmetric top: that with the start's momenta, and upright with the start's spin if that is another.
+    /// Steady motions of a heavy symmetric top: the one with the start's momenta, and the upright
+    /// one with the start's spin if it differs.
     Top(Box<SteadyTop>, Option<Box<SteadyTop>>),
     /// The nearest one with the start's ω in space.
     Nearest,
@@ -40,15 +43,15 @@ pub(crate) enum Place {
 /// Why there is no equilibrium.
 #[derive(Clone, Debug)]
 pub(crate) struct Prevented {
-    /// What the search ended with.
+    /// Error that ended the search.
     pub error: MotionError,
-    /// The names of the torques without which there is one; empty where leaving out any two of them does not help.
+    /// Names of the torques without which there is one; empty if leaving out any two does not help.
     pub by: Vec<String>,
     /// The equilibrium of the other torques.
     pub of_the_rest: Option<Found>,
 }
 
-/// The oscillations under all torques; where there is no equilibrium, those without as few of them as possible, one or two.
+/// Finds the oscillations under all torques, or else without one or two of them.
 pub(crate) fn search(rotor: &Rotor, torques: &[&Acting], start: State) -> Result<Found, Box<Prevented>> {
     let without = |left_out: &[usize]| {
         let kept = torques.iter().enumerate().filter(|(k, _)| !left_out.contains(k));
@@ -71,8 +74,9 @@ pub(crate) fn search(rotor: &Rotor, torques: &[&Acting], start: State) -> Result
     })
 }
 
-/// The oscillations about the start if it is an equilibrium, else about the one that is meant: at rest relative to an orbit, the steady
-/// motion of a top, the nearest that turns as the start does, or about the vertical, or is at rest.
+/// Finds the oscillations about the start if it is an equilibrium, else about the one that is meant:
+/// at rest relative to an orbit, the steady motion of a top, or the nearest that turns as the start
+/// does, about the vertical, or not at all.
 fn found(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Result<Found, MotionError> {
     let about = |state: State| SmallOscillations::about(rotor, torques, state);
     let near = |omega: AngularVelocity<Space>| {
@@ -95,6 +99,7 @@ fn found(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Result<Found, 
             turned: equilibrium.attitude.angle_to(start.attitude),
             omega_off: (equilibrium.omega_space() - start.omega_space()).norm(),
             oscillations,
+            heavy: heavy(rotor, torques, start),
             on_orbit: on_orbit.clone(),
         }
     };
@@ -138,7 +143,13 @@ fn top(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Option<Found> {
     let [turned, omega_off] = steady.distance_from(rotor, &start);
     let oscillations = steady.oscillations.clone();
     let place = Place::Top(Box::new(steady), other.map(Box::new));
-    Some(Found { start, place, turned, omega_off, oscillations, on_orbit: Vec::new() })
+    let heavy = heavy(rotor, torques, start);
+    Some(Found { start, place, turned, omega_off, oscillations, heavy, on_orbit: Vec::new() })
+}
+
+fn heavy(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Option<HeavyTop> {
+    let [TorqueModel::Gravity(gravity)] = torques else { return None };
+    HeavyTop::of(rotor, gravity, start).ok()
 }
 
 /// An axis nearer to the vertical than this starts upright, rad.

@@ -44,16 +44,10 @@ pub(crate) fn facts(key: &str, title: &str, when: &str, found: &Found) -> Vec<Fa
     facts.extend(equilibrium(key, found));
     facts.extend(steady_top(&path("top"), "", top));
     facts.extend(steady_top(&path("other_top"), "other steady motion", other));
-    let threshold = found.heavy.map(|heavy| [heavy.spin(), heavy.sleeping_threshold()]);
-    if let Some([spin, threshold]) =
-        threshold.filter(|[spin, threshold]| *spin != 0.0 && threshold.is_finite())
-    {
-        facts.push(fact("", "spin about the axis", Quantity::Rate(spin)).note("ω along the axis"));
-        facts.push(
-            fact("", "sleeping from", Quantity::Rate(threshold))
-                .note("sleeping-top threshold 2 √(M g l A)/C"),
-        );
-    }
+    let heavy = found.heavy.filter(|heavy| heavy.spin() != 0.0 && heavy.sleeping_threshold().is_finite());
+    facts.push(spin(heavy.map(|heavy| heavy.spin()), "").shown_if(top.is_none()));
+    let threshold = heavy.map(|heavy| Quantity::Rate(heavy.sleeping_threshold()));
+    facts.push(fact("", "sleeping from", threshold).note("sleeping-top threshold 2 √(M g l A)/C"));
     facts.push(fact(&path("modes"), "mode", modes(&found.oscillations)));
     let section = |title: &str, facts| Facts::new(format!("{title}{when}"), facts);
     let on_orbit = Quantity::Table(on_orbit(found));
@@ -142,10 +136,14 @@ fn steady_top(key: &str, label: &str, top: Option<&SteadyTop>) -> Vec<Fact> {
         fact(&path("precession_rad_s"), "precession", Quantity::Rate(top.precession))
             .note(of_other)
             .shown_if(is_inclined),
-        Fact::data(path("spin_rad_s"), Quantity::Rate(top.spin)),
+        spin(Some(top.spin), &path("spin_rad_s")).shown_if(label.is_empty()),
         fact(&path("stable"), "stability", stable).note(of_other).shown_if(!label.is_empty()),
         Fact::data(path("modes"), modes(&top.oscillations)),
     ]
+}
+
+fn spin(rate: Option<f64>, key: &str) -> Fact {
+    fact(key, "spin about the axis", rate.map(Quantity::Rate)).note("ω along the axis")
 }
 
 const fn kind(top: &SteadyTop) -> &'static str {

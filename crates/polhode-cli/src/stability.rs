@@ -17,7 +17,7 @@ use crate::stdout::{columns, print};
 /// nearest one. Small oscillations about it are reported with period, growth rate and axis; for a
 /// top also the sleeping-top threshold.
 ///
-/// With a [contact], it is the steady motion on the ground nearest to the start: rolling upright,
+/// A [contact] asks for the steady motion on the ground nearest to the start: rolling upright,
 /// spinning upright or on a point below the centre of mass, the end states of a tippe top. The
 /// threshold of the spin is in closed form.
 #[derive(Debug, Args)]

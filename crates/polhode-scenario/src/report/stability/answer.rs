@@ -36,7 +36,7 @@ pub(crate) fn lines(report: &StabilityReport) -> Vec<String> {
 /// Stability of a spin, with friction inside if the scenario has any.
 enum SpinStability {
     Stable,
-    /// With its growth rate, 1/s.
+    /// Growth rate, 1/s.
     Unstable(f64),
     Marginal,
 }

@@ -1,7 +1,7 @@
 //! Wording of comments, messages and pages: counts of the patterns that make readers read twice.
 //!
-//! `xtask/prose.txt` has the largest count of each pattern that is allowed. No change may raise a count;
-//! a change that lowers one takes the lower count over with `cargo xtask prose --write`.
+//! `xtask/prose.txt` has the largest count of each pattern that is allowed. No change may raise a
+//! count; a change that lowers one takes the lower count over with `cargo xtask prose --write`.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

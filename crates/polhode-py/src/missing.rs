@@ -14,7 +14,8 @@ const FEATURES: [(&str, bool); 7] = [
     ("sweep", cfg!(feature = "sweep")),
 ];
 
-/// Refuses a name that the module does not have. Python calls it as the module's `__getattr__` (PEP 562).
+/// Refuses a name that the module does not have. Python calls it as the module's `__getattr__` (PEP
+/// 562).
 ///
 /// # Errors
 /// `AttributeError` in all cases; it lists the missing features.

@@ -50,7 +50,8 @@ impl Page {
         Self { port, token, goes_on, thread }
     }
 
-    /// Sends bytes and reads what is answered to the end; `cut` says no more after them, as one who hangs up does.
+    /// Sends bytes and reads what is answered to the end; `cut` says no more after them, as one who hangs
+    /// up does.
     pub(crate) fn say(&self, bytes: &[u8], cut: bool) -> Option<Answer> {
         let mut stream = TcpStream::connect(SocketAddr::from(([127, 0, 0, 1], self.port))).unwrap();
         stream.set_nodelay(true).unwrap();
@@ -160,7 +161,8 @@ impl Answer {
         }
     }
 
-    /// JSON with rows of numbers behind it, which come to stand in their places; each number belongs to one row.
+    /// JSON with rows of numbers behind it, which come to stand in their places; each number belongs to one
+    /// row.
     fn json_with_rows(&self) -> Value {
         let (length, rest) = self.body.split_first_chunk().unwrap();
         let (head, rows) = rest.split_at(u64::from_le_bytes(*length).try_into().unwrap());

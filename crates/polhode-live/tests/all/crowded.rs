@@ -11,7 +11,8 @@ use crate::client::{Answer, Page};
 /// A scenario whose motion takes no time.
 const LIGHT: &str = "[[body.part]]\nshape = \"box\"\nsize = [1, 2, 3]\nmass = 4\n[start]\nspin = { body = [0.1, 0.2, 0.3] }\n[run]\nduration = 1\nsamples = 2\n";
 
-/// A scenario whose motion takes longer than any answer: 2·10⁷ rad under a torque, fewer steps than are refused at once.
+/// A scenario whose motion takes longer than any answer: 2·10⁷ rad under a torque, fewer steps than are
+/// refused at once.
 const HEAVY: &str = "[[body.part]]\nshape = \"box\"\nsize = [1, 2, 3]\nmass = 4\n[start]\nspin = { body = [11, 12, 13] }\n[[torque]]\nmodel = \"drag\"\nlaw = \"linear\"\ncoefficient = [1e-9, 2e-9, 1e-9]\n[run]\nduration = 1e6\nsamples = 2\n";
 
 fn motion(text: &str) -> String {

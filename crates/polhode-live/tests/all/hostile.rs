@@ -1,4 +1,5 @@
-//! A client that means no good: ten thousand requests that no page makes, and after them the server answers as before.
+//! A client that means no good: ten thousand requests that no page makes, and after them the server
+//! answers as before.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -59,7 +59,8 @@ impl Step<'_> {
         self.0["scenario"].as_str().unwrap()
     }
 
-    /// Some part of the step says it, with these digits: a number of this many decimals, and what stands behind it.
+    /// Some part of the step says it, with these digits: a number of this many decimals, and what stands
+    /// behind it.
     #[track_caller]
     pub(crate) fn says(&self, words: &str, value: f64) {
         let question = &self.0["question"];
@@ -449,7 +450,8 @@ fn gravity_gradient() {
     let lesson = Lesson::open("gravity-gradient");
     let orbit = TAU / 1.10682e-3;
     lesson.step(1).says("94.6 min", orbit / 60.0);
-    // The angle of the boom to the vertical in the plane, and out of it; the vertical turns in the x-y plane.
+    // The angle of the boom to the vertical in the plane, and out of it; the vertical turns in the x-y
+    // plane.
     let swing = |k: usize, out: bool| {
         let ahead = move |sample: &Sample| {
             let boom = axis(sample, [0.0, 0.0, 1.0]);
@@ -487,7 +489,8 @@ fn chandler() {
     lesson.step(3).right_is("by some 30 %");
     assert!((0.25..0.35).contains(&(1.0 - 0.00232 / 0.003_284_548_3)));
     let across = omega(&samples(&lesson.step(1).scenario())[0]);
-    // On the ground: the angle times the radius of the Earth, for ω and for its circle about the axis of figure.
+    // On the ground: the angle times the radius of the Earth, for ω and for its circle about the axis of
+    // figure.
     agrees("9", across[0] / across[2] * 6.357e6);
 }
 

@@ -9,7 +9,8 @@ use serde_json::json;
 use crate::client::{Folder, Page};
 use crate::inspect::{Point, stl};
 
-/// Triangles from one point in all directions: each is near each other there, and none of them hang together.
+/// Triangles from one point in all directions: each is near each other there, and none of them hang
+/// together.
 fn star(count: usize) -> Vec<[Point; 3]> {
     let mut state = 1_u64;
     let mut chance = || {

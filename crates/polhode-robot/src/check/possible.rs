@@ -6,7 +6,8 @@
 //! moments. For the axis v of i3, i1 + i2 − i3 = 2 λ(C). The smallest eigenvalue is concave in the
 //! elements. If the element I_ij may be off by h_ij, no choice within these bounds lifts it above
 //!
-//!   λ + Σ |v_i v_j| h_ij   (for I),    λ + Σ |½ δ_ij − v_i v_j| h_ij   (for C; h of the diagonal also enters the trace).
+//!   λ + Σ |v_i v_j| h_ij   (for I),    λ + Σ |½ δ_ij − v_i v_j| h_ij   (for C; h of the diagonal also
+//!   enters the trace).
 //!
 //! If this bound is negative, the tensor is certainly impossible, however the digits were rounded.
 

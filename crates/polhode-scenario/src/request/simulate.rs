@@ -42,11 +42,12 @@ pub static REPORT_SCHEMA: LazyLock<String> =
 pub struct Request {
     /// The scenario, a TOML file with a [run] section.
     pub file: PathBuf,
-    /// Print the state at these times too: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in steps of 0.1.
+    /// Print the state at these times too: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in
+    /// steps of 0.1.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "T,…", allow_hyphen_values = true))]
     pub at: Vec<Given<Times>>,
-    /// Estimate the error thoroughly, at 12 to 20 times the cost of the motion: without it, motions of more than
-    /// some 10,000 steps and samples (3,000 of DOP853 or splitting) have a cheap estimate.
+    /// Estimate the error thoroughly, at 12 to 20 times the cost of the motion: without it, motions of more
+    /// than some 10,000 steps and samples (3,000 of DOP853 or splitting) have a cheap estimate.
     #[cfg_attr(feature = "arguments", arg(long))]
     pub error: bool,
     /// Print the details too: the method and its steps, the rounding of the inputs, Poinsot's picture.

@@ -45,10 +45,12 @@ pub static REPORT_SCHEMA: LazyLock<String> =
 pub struct Request {
     /// The scenario, a TOML file with [prescribed] or [shaft].
     pub file: PathBuf,
-    /// Print the torque at these times too: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in steps of 0.1.
+    /// Print the torque at these times too: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in
+    /// steps of 0.1.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "T,…", allow_hyphen_values = true))]
     pub at: Vec<Given<Times>>,
-    /// Print the force on a mass fixed to the body here too: mass, x, y, z in body axes, in SI or each with its unit.
+    /// Print the force on a mass fixed to the body here too: mass, x, y, z in body axes, in SI or each with
+    /// its unit.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "M,X,Y,Z", allow_hyphen_values = true))]
     pub point: Vec<Given<PointMass>>,
     /// Print the details too: ω, L and T at the largest torque, means in space axes, a shaft's rate.

@@ -11,7 +11,8 @@ use serde_json::{Value, json};
 /// More events than these fill the screen: JSON has them all.
 const MOST: usize = 20;
 
-/// How a motion ended, if not at the end of the run, for people; with the time, and the event or the cause.
+/// How a motion ended, if not at the end of the run, for people; with the time, and the event or the
+/// cause.
 pub(crate) fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> Option<String> {
     match trajectory.ending() {
         Ending::Complete => None,

@@ -104,7 +104,8 @@ fn kind(regime: Regime) -> Quantity {
     Quantity::Word(regime.name(), regime.description().to_owned())
 }
 
-/// The precession in the convention for the axis that L does not circle, of a body with three different moments.
+/// The precession in the convention for the axis that L does not circle, of a body with three different
+/// moments.
 fn other_convention(motion: &FreeMotion) -> Option<Fact> {
     let (axis, name, convention) = match motion.circles_least() {
         true => (3, "short", AxisConvention::ShortAxis),

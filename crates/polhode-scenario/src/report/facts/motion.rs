@@ -108,7 +108,8 @@ fn state(key: &str, when: &str, scenario: Option<&Scenario>, state: &State, erro
     ]
 }
 
-/// A state that was requested, with its own section for people and its part of the list `at` for programs.
+/// A state that was requested, with its own section for people and its part of the list `at` for
+/// programs.
 pub(crate) fn state_at(known: &Known<'_>, at: &Sample) -> Vec<Fact> {
     let error = global_error::at(known.trajectory, at.state.time);
     let mut facts = sample("at", "", known.scenario, at, error);

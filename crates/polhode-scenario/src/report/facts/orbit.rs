@@ -14,7 +14,8 @@ use serde_json::{Map, Value, json};
 use super::Known;
 use crate::report::global_error::{self, known_to};
 
-/// The orbit, and each of the angles that are of interest: of the attitude at the end the digits that are right.
+/// The orbit, and each of the angles that are of interest: of the attitude at the end the digits that
+/// are right.
 pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
     let samples = known.trajectory.samples();
     let error = global_error::of_attitude(known.trajectory);

@@ -55,12 +55,12 @@ pub struct RequiredReport {
 }
 
 impl RequiredReport {
-    /// The report of a scenario, with the torque at more times, s, and the forces on more points: on the particles of the body,
-    /// where it has no other parts, and on these.
+    /// The report of a scenario, with the torque at more times, s, and the forces on more points: on the
+    /// particles of the body, where it has no other parts, and on these.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the scenario prescribes no motion, or none at one of the times; [`MotionError::NotFinite`]
-    /// where a formula is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the scenario prescribes no motion, or none at
+    /// one of the times; [`MotionError::NotFinite`] where a formula is not finite.
     pub fn new(
         source: SourceInfo,
         scenario: &Scenario,

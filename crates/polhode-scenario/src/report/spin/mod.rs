@@ -54,10 +54,12 @@ impl SpinReport {
 
     /// The same with the states at some times, in their order.
     ///
-    /// q and −q are one attitude: the first has w ≥ 0, and each of the others the sign nearest to the one before it.
+    /// q and −q are one attitude: the first has w ≥ 0, and each of the others the sign nearest to the one
+    /// before it.
     ///
     /// # Errors
-    /// [`MotionError::BeyondReach`] for a time too far away, [`MotionError::NotFinite`] for a state that is not a number.
+    /// [`MotionError::BeyondReach`] for a time too far away, [`MotionError::NotFinite`] for a state that is
+    /// not a number.
     pub fn at(mut self, times: &[f64]) -> Result<Self, MotionError> {
         self.motion.require(times)?;
         let estimate = self.motion.global_error(times);

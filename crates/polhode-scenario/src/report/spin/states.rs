@@ -38,7 +38,8 @@ pub(crate) fn to_json(states: &[Printed]) -> Value {
     states.iter().map(one).collect()
 }
 
-/// Two tables, since a row of all eight numbers is wider than a terminal; every number reads back bit for bit.
+/// Two tables, since a row of all eight numbers is wider than a terminal; every number reads back bit
+/// for bit.
 pub(crate) fn to_text(states: &[Printed]) -> String {
     if states.is_empty() {
         return String::new();

@@ -50,13 +50,15 @@ pub struct Request {
     /// A scenario, a TOML file without torques.
     #[cfg_attr(feature = "arguments", arg(group = "subject"))]
     pub file: Option<PathBuf>,
-    /// Moments of inertia about the body axes x, y, z, which are principal: in kg·m², or each with its unit.
+    /// Moments of inertia about the body axes x, y, z, which are principal: in kg·m², or each with its
+    /// unit.
     #[cfg_attr(
         feature = "arguments",
         arg(long, value_name = "A,B,C", group = "subject", allow_hyphen_values = true)
     )]
     pub moments: Option<Given<Moments>>,
-    /// The inertia tensor about the centre of mass, along body axes, off-diagonal = −∫xy dm: in kg·m², or each with its unit.
+    /// The inertia tensor about the centre of mass, along body axes, off-diagonal = −∫xy dm: in kg·m², or
+    /// each with its unit.
     #[cfg_attr(
         feature = "arguments",
         arg(long, value_name = "XX,YY,ZZ,XY,XZ,YZ", group = "subject", allow_hyphen_values = true)
@@ -65,17 +67,19 @@ pub struct Request {
     /// ω at the start along body axes: in rad/s, or "(0, 0, 30) deg/s" [default: the scenario's].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true))]
     pub omega: Option<Given<Omega>>,
-    /// Attitude at the start: a quaternion, body to space, scalar first [default: the scenario's, else 1,0,0,0].
+    /// Attitude at the start: a quaternion, body to space, scalar first [default: the scenario's, else
+    /// 1,0,0,0].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "W,X,Y,Z", allow_hyphen_values = true))]
     pub attitude: Option<Given<Quaternion>>,
     /// Compute the motion of unphysical moments, i1 + i2 < i3, all the same.
     #[cfg_attr(feature = "arguments", arg(long, conflicts_with_all = ["file", "inertia"]))]
     pub allow_unphysical: bool,
-    /// Print ω and the attitude at these times: in s, or each with its unit; 0:1:0.1 are those from 0 to 1 in steps of 0.1; negative
-    /// ones are before the start.
+    /// Print ω and the attitude at these times: in s, or each with its unit; 0:1:0.1 are those from 0 to 1
+    /// in steps of 0.1; negative ones are before the start.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "T,…", allow_hyphen_values = true))]
     pub at: Vec<Given<Times>>,
-    /// The inverse: all spins with these two periods of a tumbling body, P_φ of precession and P_ψ of rotation.
+    /// The inverse: all spins with these two periods of a tumbling body, P_φ of precession and P_ψ of
+    /// rotation.
     #[cfg_attr(feature = "arguments", arg(
         long,
         value_name = "P_PHI,P_PSI",

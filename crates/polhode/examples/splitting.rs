@@ -49,50 +49,48 @@ fn main() -> Result<(), Box<dyn Error>> {
 const ESSAY: &str = "\
 # Splitting: integration without energy drift
 
-Written by `crates/polhode/examples/splitting.rs`; run it again rather than believe this page.
+Written by `crates/polhode/examples/splitting.rs`.
 
-`method = \"splitting\"` moves a body by its exact free motion, and between two stretches of it changes its angular momentum by a kick:
+`method = \"splitting\"` alternates exact free motion with changes of the angular momentum (kicks):
 
 1. L ← L + b h N(attitude, t), at one attitude and time;
-2. the free motion for a h: L in space is kept, and the attitude turns as it does without torque, to rounding.
+2. free motion for a h: L in space is constant, and the attitude turns as without torque, exact to rounding.
 
-The parts a and b of a step h, and so the order, are those of three methods:
+Three methods define the fractions a and b of a step h, and thus the order:
 
-| `order` | method | kicks a step |
+| `order` | method | kicks per step |
 |---|---|---|
-| 2 | half a kick, the free motion, half a kick | 1 |
+| 2 | half a kick, free motion, half a kick | 1 |
 | 4 | SRKN₆ᵇ of Blanes and Moan | 6 |
 | 6 | SRKN₁₁ᵇ of Blanes and Moan | 11 |
 
-(S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313: the coefficients are cited from memory, their orders are tested.) They are Runge–Kutta–Nyström methods: a kick depends on the attitude alone
-and the free motion turns the body in proportion to L, so that with [A, B] for what flow and kick fail to commute, [B, [B, [B, A]]] = 0, and
-fewer conditions make an order. `tests/all/splitting.rs` proves each order on a heavy body without any symmetry.
+(S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313. The coefficients are cited from memory; tests confirm their orders.) They are Runge–Kutta–Nyström methods: a kick depends on the attitude only,
+and free motion turns the body in proportion to L. With A for the flow, B for the kick and [A, B] for their commutator, [B, [B, [B, A]]] = 0, so
+an order needs fewer conditions. `tests/all/splitting.rs` verifies each order on a heavy body without symmetry.
 
-**What it is for.** Long runs under torques with a potential. Every step is then a symplectic map and, as each is the same backwards as
-forwards, a reversible one. It keeps not the energy E but a quantity near to it: the error of E stays what it is in the first turns, where that
-of a method with a tolerance grows with time. The phase is another matter: its error grows with time in every method. For a short run to a
-given accuracy, `taylor` is cheaper; [work-precision.md](work-precision.md) has the measurements.
+**Use.** Long runs under torques with a potential. Every step is a symplectic and reversible map, so it conserves a quantity near the energy E. The error of E stays at the level of the first turns,
+while that of a method with a tolerance grows with time. The phase error grows with time in every method. For a short run to a
+given accuracy, `taylor` is cheaper ([measurements](work-precision.md)).
 
-**What it takes.** Torques that depend on attitude and time alone: `constant`, `gravity`, `gravity_gradient`, `torsion`, `magnetic`,
-`thruster`, and these on a schedule. Drag, energy sinks, formulas and wheels are refused. A step that would go across the beginning or the end
-of a torque is shortened; where that happens often, the error of E is no longer bounded by the argument above.
+**Allowed torques.** Torques that depend only on attitude and time: `constant`, `gravity`, `gravity_gradient`, `torsion`, `magnetic`,
+`thruster`, and these on a schedule. Drag, energy sinks, formulas and wheels are rejected. A step that would cross the beginning or the end
+of a torque is shortened. If that happens often, the error of E is no longer bounded.
 
-**Its evidence** is of another kind. The impulse is what the kicks have added to L, the work what they have added to T: the theorems of work and
-impulse hold to rounding whatever the step. What tells whether the step is short enough is the drift of T + U, or a run with half the step.
+**Checks.** Impulse and work are the sums of the kicks' changes of L and T, so the theorems of work and
+impulse hold to rounding for any step. To check the step, use the drift of T + U, or a run with half the step.
 
-**Its rounding.** L in space is carried, so free motion does not touch it; L and attitude carry what rounding takes from each sum. The free motion
-of a short time is found anew each time (`motion/solve/propagate/splitting/flow.rs`): in closed form for a body with two equal moments, else
-by power series as long as rounding can see, in a fraction of the time that `FreeMotion` takes to set up.
+**Rounding.** L in space is a variable, so free motion does not change it. L and attitude use compensated summation. The free motion
+of each stretch is computed separately (`motion/solve/propagate/splitting/flow.rs`): in closed form for a body with two equal moments, otherwise
+by a power series truncated below rounding, in a fraction of the time that `FreeMotion` takes to set up.
 
 ";
 
 const READING: &str = "\
-The error of what is conserved, relative to the largest kinetic energy: the largest of each tenth of the run, and in brackets its mean. The
-steps of higher orders are longer. Where the error is some 1e-14, it is rounding: a random walk. The time
-of a step is that of the machine as it was, busy or not.
+Error of the conserved quantity, relative to the largest kinetic energy: the largest in each tenth of the run, and in brackets its mean. Higher orders
+use longer steps. Errors of about 1e-14 are rounding, a random walk. Times per step are not corrected for other load on the machine.
 
-The step of order 6 is a binary fraction, so that its times are exact. With 0.1 s the rounding of the time, 6e-11 s after 10⁶ s, shows in the last
-table, where the torque depends on the time: 1.4e-11 at the end, while the others are the same.
+The step of order 6 is a binary fraction, so its times are exact. With 0.1 s the rounding of the time, 6e-11 s after 10⁶ s, is visible in the last
+table, where the torque depends on the time: 1.4e-11 at the end. The other tables do not change.
 ";
 
 /// Returns the heavy top I = (1, 1, 0.5), M g l = 1, ω = (0, 0, 5), tilted by 60°.
@@ -201,5 +199,5 @@ fn print(problem: &Problem, runs: &[Run]) {
         };
         println!("| tenth {} | {} |", k + 1, cells(&error));
     }
-    println!("| µs a step | {} |\n", cells(&|run| format!("{:.2}", run.cost * 1e6)));
+    println!("| µs per step | {} |\n", cells(&|run| format!("{:.2}", run.cost * 1e6)));
 }

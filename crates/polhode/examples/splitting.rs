@@ -80,8 +80,8 @@ of a torque is shortened. If that happens often, the error of E is no longer bou
 impulse hold to rounding for any step. To check the step, use the drift of T + U, or a run with half the step.
 
 **Rounding.** L in space is a variable, so free motion does not change it. L and attitude use compensated summation. The free motion
-of each stretch is computed separately (`motion/solve/propagate/splitting/flow.rs`): in closed form for a body with two equal moments, otherwise
-by a power series truncated below rounding, in a fraction of the time that `FreeMotion` takes to set up.
+of each stretch is a closed form for a body with two equal moments, otherwise
+a power series truncated below rounding (`motion/solve/propagate/splitting/flow.rs`). Both are much faster than setting up `FreeMotion`.
 
 ";
 

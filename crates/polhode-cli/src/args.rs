@@ -30,8 +30,8 @@ use crate::torque::Torque;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
-/// Exit status: 0 fine, 1 check or judge found something, 2 bad input or usage, 3 the computation could not reach its tolerance; of
-/// several files the worst, 2 before 3 before 1. Data goes to standard output, everything else to standard error.
+/// Exit status: 0 success; 1 check or judge has findings; 2 invalid input or usage; 3 the computation did not reach its tolerance. With
+/// several files, the worst status counts, in the order 2, 3, 1. Results go to standard output, messages to standard error.
 #[derive(Debug, Parser)]
 #[command(name = "polhode", version, after_help = examples(), max_term_width = 100)]
 pub(crate) struct Polhode {
@@ -124,7 +124,7 @@ pub(crate) fn with_tip(mut refusal: clap::Error, given: &[OsString]) -> clap::Er
         [option, value] if value.starts_with(&found) && takes_value(&given, option) => {
             let quote = if value.contains(char::is_whitespace) { "\"" } else { "" };
             Some(format!(
-                "a value that begins with '-' is joined to its option: {option}={quote}{value}{quote}"
+                "a value that begins with '-' must be joined to its option: {option}={quote}{value}{quote}"
             ))
         }
         _ => None,

@@ -24,6 +24,6 @@ pub(crate) fn open(page: &Path) {
     };
     command.arg(page).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
     if let Err(error) = command.spawn() {
-        tell(&format!("note: no browser could be started ({error}): open {} in one\n", shown(page)));
+        tell(&format!("note: cannot start a browser ({error}); open {} yourself\n", shown(page)));
     }
 }

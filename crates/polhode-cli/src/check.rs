@@ -23,7 +23,7 @@ use crate::stderr::tell;
 use crate::stdout::{print, print_exact};
 use outputs::Outputs;
 
-/// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF, USD, OpenSim.
+/// Check the inertias of a robot or simulation model: URDF, SDF, MJCF, USD, OpenSim.
 ///
 /// Impossible: no body has these numbers. Suspect: physically possible, but in conflict with the
 /// link's own geometry. Each finding states its place, the rule and the fix, if exactly one fix is
@@ -173,10 +173,13 @@ impl Check {
                 let (text, count) = checked.to_baseline();
                 partial::write(path, self.force, |file| file.write_all(text.as_bytes()))?;
                 let noun = if count == 1 { "finding" } else { "findings" };
-                tell(&format!("wrote {}: {count} {noun}, known from now on with --baseline\n", shown(path)));
+                tell(&format!(
+                    "wrote {}: {count} {noun}, ignored from now on with --baseline\n",
+                    shown(path)
+                ));
                 has_failed = false;
             } else {
-                tell(&format!("{} is not written: not all files could be read\n", shown(path)));
+                tell(&format!("{} is not written, because some files could not be read\n", shown(path)));
             }
         }
         let mut failures: Vec<Failure> =

@@ -8,11 +8,11 @@ use polhode_source::files::Disk;
 use crate::failure::Failure;
 use crate::stdout::print;
 
-/// Work a scenario through, step by step, with every formula and number.
+/// Show the worked solution of a scenario, with every formula and number.
 ///
-/// In the order of the lecture notes: the body; 1 the axes; 2 ω and N at the start; 3 the inertia tensor and its principal
-/// axes; 4 Euler's equations; 5 ω(t); 6 the attitude. A prescribed motion gives the torque that it needs and the forces on
-/// the particles; a pendulum its frequency and exact period.
+/// The steps: the body; 1 the axes; 2 ω and N at the start; 3 the inertia tensor and its principal axes; 4 Euler's equations; 5 ω(t);
+/// 6 the attitude. For a prescribed motion, the solution gives the required torque and the forces on the particles; for a pendulum, the
+/// frequency and the exact period.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -26,7 +26,7 @@ pub(crate) struct Explain {
     /// Print Markdown with typeset formulas, for GitHub, Jupyter and pandoc.
     #[arg(long, group = "form")]
     markdown: bool,
-    /// Print one HTML page with typeset formulas and graphs, which needs nothing else.
+    /// Print a self-contained HTML page with typeset formulas and graphs.
     #[arg(long, group = "form")]
     html: bool,
     /// Print a LaTeX article.
@@ -35,7 +35,7 @@ pub(crate) struct Explain {
     /// Print JSON: sections, formulas and tables as data.
     #[arg(long, group = "form")]
     json: bool,
-    /// Characters in a line of the text.
+    /// Line width of the text, characters.
     #[arg(long, value_name = "N", default_value_t = 100, conflicts_with = "form", value_parser = clap::value_parser!(u16).range(40..=400))]
     width: u16,
 }

@@ -86,13 +86,13 @@ impl Failure {
                 texts.collect::<Vec<_>>().join("\n")
             }
             Self::Incomplete { path, error } => {
-                let kept = "note: what comes before is written, and marked incomplete";
+                let kept = "note: the motion up to this time is written and marked incomplete";
                 format!("error: {error}\n  --> {path}\n{kept}\n{}", hint(error.hint().map(str::to_owned)))
             }
             Self::Output { path, error } => {
                 let full =
                     [io::ErrorKind::StorageFull, io::ErrorKind::QuotaExceeded, io::ErrorKind::FileTooLarge];
-                let room = "nothing is left half-written: make room, or write to another disk".to_owned();
+                let room = "no incomplete file is left; free disk space, or write to another disk".to_owned();
                 let room = full.contains(&error.kind()).then_some(room);
                 format!("error: cannot write {path}: {error}\n{}", hint(room))
             }

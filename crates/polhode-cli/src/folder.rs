@@ -79,8 +79,8 @@ impl Folder {
     pub(crate) fn check(target: &Path, replace: &Replace) -> Result<(), Failure> {
         let shown = shown(target);
         if target.file_name().is_none() {
-            let hint = "name a folder of its own: -o results/run-1";
-            return Err(Failure::usage(format!("{shown} cannot become the output folder"), hint));
+            let hint = "choose a separate folder: -o results/run-1";
+            return Err(Failure::usage(format!("{shown} cannot be the output folder"), hint));
         }
         match fs::symlink_metadata(target) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
@@ -89,12 +89,12 @@ impl Folder {
             Ok(meta) => match (stranger(target, &meta), replace) {
                 (None, _) => Ok(()),
                 (Some(why), Replace::ResultsOf(_)) => Err(Failure::usage(
-                    format!("{shown} is there already, and not replaced: {why}"),
-                    "remove that by hand, or choose another folder with -o DIR",
+                    format!("{shown} already exists and is not replaced: {why}"),
+                    "remove it yourself, or choose another folder with -o DIR",
                 )),
                 (Some(why), _) => Err(Failure::usage(
                     format!("{shown} is not a folder of results, so --force does not replace it: {why}"),
-                    "remove it by hand, or choose another folder with -o DIR",
+                    "remove it yourself, or choose another folder with -o DIR",
                 )),
             },
         }
@@ -181,9 +181,9 @@ fn stranger(target: &Path, meta: &fs::Metadata) -> Option<String> {
     };
     let foreign = entries.iter().find(|e| !OURS.iter().any(|ours| e.file_name() == *ours));
     if let Some(foreign) = foreign {
-        return Some(format!("it holds {:?}", foreign.file_name()));
+        return Some(format!("it contains {:?}", foreign.file_name()));
     }
     let (name, begins) = SIGNATURE;
     let signed = fs::read(target.join(name)).is_ok_and(|summary| summary.starts_with(begins));
-    (!signed && !entries.is_empty()).then(|| format!("its {name} is not one of polhode's"))
+    (!signed && !entries.is_empty()).then(|| format!("its {name} was not written by polhode"))
 }

@@ -16,7 +16,7 @@ pub(crate) struct Form {
     /// Print Markdown.
     #[arg(long, group = "form")]
     pub(crate) markdown: bool,
-    /// Print one HTML page with plots, which needs nothing else.
+    /// Print a self-contained HTML page with plots.
     #[arg(long, group = "form")]
     pub(crate) html: bool,
 }

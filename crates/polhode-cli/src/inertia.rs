@@ -26,7 +26,7 @@ use crate::progress::{FileProgress, SampleProgress};
 use crate::stderr::tell;
 use crate::stdout::print;
 
-/// Mass, centre of mass, inertia tensor, principal moments and axes.
+/// Compute mass, centre of mass, inertia tensor, principal moments and axes.
 ///
 /// Input: scenarios (TOML), meshes, molecules, particles, voxel grids, CAD reports, robot models. The tensor is about
 /// the centre of mass, along body axes; its off-diagonal elements are minus the integrals, I_xy = -∫xy dm.

@@ -11,7 +11,7 @@ use polhode_source::files::Disk;
 use crate::failure::Failure;
 use crate::form::Form;
 
-/// Check the motion that another program computed, and find the cause of its error.
+/// Compare the motion that another program computed with the exact motion, and find the cause of its error.
 ///
 /// The scenario defines the motion, and RUN is the log of the program: times and attitudes, and
 /// optionally angular velocities, as CSV, Parquet or JSON lines. A log may name a scenario in its

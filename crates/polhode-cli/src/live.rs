@@ -10,12 +10,11 @@ use crate::browser;
 use crate::failure::Failure;
 use crate::stdout::print;
 
-/// Change a body and its motion on a page, and see at once what becomes of it.
+/// Interactive 3-D page: change parameters and see the motion.
 ///
-/// The page is served on this machine's own address, 127.0.0.1, for whoever has the address that is printed, and for no other site. It shows
-/// scenarios, and the bodies of other files: meshes, molecules, particles. Of a mesh that bounds no solid it shows where it is wrong, of a robot
-/// every link with its inertia, and the repair. More can be dropped on it. Nothing is written to the disk: what is worth keeping is saved from
-/// the page. Ctrl-C ends it.
+/// The page is served on 127.0.0.1 and opens only with the printed address; other sites cannot use it. It shows scenarios, meshes, molecules
+/// and particles. For a defective mesh it shows the location of each defect; for a robot, every link with its inertia and the fixes. Drop
+/// further files on the page to open them. Nothing is written to disk: save results from the page. Press Ctrl-C to stop.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -27,15 +26,15 @@ Examples:
   polhode live --lesson cube
   polhode live examples/heavy-top.toml --no-open --port 8000")]
 pub(crate) struct Live {
-    /// Scenarios, meshes, robots, molecules or particles [default: a scenario to begin with].
+    /// Scenarios, meshes, robots, molecules or particles [default: an example scenario].
     files: Vec<PathBuf>,
-    /// A lesson of this name, or of a file of your own; without a name, the list of lessons.
+    /// Open a lesson by name, or from your own file; without a name, list the lessons.
     #[arg(long, value_name = "NAME|FILE.toml", num_args = 0..=1, conflicts_with = "files")]
     lesson: Option<Option<String>>,
     /// Do not open the browser.
     #[arg(long)]
     no_open: bool,
-    /// The port [default: a free one].
+    /// Port [default: a free port].
     #[arg(long, value_name = "N")]
     port: Option<u16>,
 }
@@ -46,8 +45,8 @@ impl Live {
             let idle = [("--no-open", self.no_open), ("--port", self.port.is_some())];
             return match idle.iter().find(|(_, is_given)| *is_given) {
                 Some((option, _)) => Err(Failure::usage(
-                    format!("{option} has nothing to do: --lesson without a name lists the lessons"),
-                    format!("leave out {option}, or name a lesson: --lesson cube"),
+                    format!("{option} has no effect: --lesson without a name lists the lessons"),
+                    format!("remove {option}, or name a lesson: --lesson cube"),
                 )),
                 None => print(&list()),
             };

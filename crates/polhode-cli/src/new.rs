@@ -12,17 +12,17 @@ use crate::page::check_file;
 use crate::partial;
 use crate::stdout::print;
 
-/// Write a scenario to begin with: one that runs, with a word on every line that matters.
+/// Write an example scenario to start from.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polhode new top
   polhode new satellite -o missions/first.toml")]
 pub(crate) struct New {
-    /// What it is about.
+    /// Example to write.
     #[arg(value_enum)]
     starter: Starter,
-    /// The file to write [default: its name, here].
+    /// Output file [default: NAME.toml in the working directory].
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -30,15 +30,15 @@ pub(crate) struct New {
 /// Scenario template.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Starter {
-    /// A quadrotor from its parts, tumbling.
+    /// Quadrotor built from its parts, tumbling.
     Drone,
-    /// A top on its tip.
+    /// Spinning top on its tip.
     Top,
-    /// A satellite in its orbit, with a wheel.
+    /// Satellite in orbit, with a momentum wheel.
     Satellite,
-    /// A tumbling asteroid.
+    /// Tumbling asteroid.
     Asteroid,
-    /// A link of a robot, for URDF and its like.
+    /// Robot link, for URDF and similar formats.
     RobotLink,
 }
 
@@ -75,7 +75,7 @@ impl New {
         let text = self.starter.text().replace(self.starter.file(), &file.display().to_string());
         partial::write(&file, false, |out| out.write_all(text.as_bytes()))?;
         let name = shown(&file);
-        print(&format!("wrote {name}: read it, change it, and run\n  polhode simulate {name} --open\n"))
+        print(&format!("wrote {name}; edit it, then run\n  polhode simulate {name} --open\n"))
     }
 }
 

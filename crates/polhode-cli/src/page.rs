@@ -83,8 +83,8 @@ pub(crate) fn check_file(file: &Path, force: bool) -> Result<(), Failure> {
         Err(error) => Err(Failure::Output { path: shown(file), error }),
         Ok(meta) if force && meta.is_file() => Ok(()),
         Ok(_) => Err(Failure::usage(
-            format!("{} is there already", shown(file)),
-            "name another file, or replace what an earlier run wrote there with --force",
+            format!("{} already exists", shown(file)),
+            "choose another file, or overwrite it with --force",
         )),
     }
 }

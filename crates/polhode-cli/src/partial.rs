@@ -214,8 +214,8 @@ fn failed(target: &Path, error: io::Error) -> Failure {
 /// Returns the error for an existing file or folder that must not be replaced.
 pub(crate) fn exists(target: &Path) -> Failure {
     Failure::usage(
-        format!("{} is there already", shown(target)),
-        "name another place, or replace what is there with --force",
+        format!("{} already exists", shown(target)),
+        "choose another path, or overwrite with --force",
     )
 }
 
@@ -237,8 +237,8 @@ fn require_unused(target: &Path, remove: Remove) -> Result<(), Failure> {
         match file.try_lock() {
             Ok(()) => stale.push((path, kind, file)),
             Err(TryLockError::WouldBlock) => {
-                let message = format!("{} is being written by another polhode", shown(target));
-                return Err(Failure::usage(message, "wait for it, or name another place with -o"));
+                let message = format!("{} is being written by another polhode process", shown(target));
+                return Err(Failure::usage(message, "wait until it ends, or choose another path with -o"));
             }
             Err(TryLockError::Error(_)) => {}
         }

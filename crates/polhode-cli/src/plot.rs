@@ -15,8 +15,8 @@ use crate::partial;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Plots")]
 pub(crate) struct PlotFlags {
-    /// Draw all figures that the motion has into FILE.svg or FILE.png; NAME=FILE draws one: omega, euler, pointing, axis,
-    /// energy, momentum, wheels, torque, drift, polhodes or herpolhode. May be given more than once.
+    /// Draw all figures of the motion into FILE.svg or FILE.png; NAME=FILE draws one of them: omega, euler, pointing, axis,
+    /// energy, momentum, wheels, torque, drift, polhodes or herpolhode. May be repeated.
     #[arg(long, value_name = "[NAME=]FILE", value_parser = plot)]
     plot: Vec<Plot>,
 }
@@ -46,8 +46,8 @@ impl PlotFlags {
         for (k, Plot { path, .. }) in self.plot.iter().enumerate() {
             let shown = shown(path);
             if self.plot.iter().take(k).any(|other| other.path == *path) {
-                let hint = "give each plot a file of its own";
-                return Err(Failure::usage(format!("{shown} is to hold two plots"), hint));
+                let hint = "use a separate file for each plot";
+                return Err(Failure::usage(format!("two plots have the same file, {shown}"), hint));
             }
             let is_file = match fs::symlink_metadata(path) {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
@@ -57,11 +57,11 @@ impl PlotFlags {
             let is_own = || maker.is_some_and(|maker| is_made_by(path, maker));
             if !(is_file && (force || is_own())) {
                 let hint = if is_file {
-                    "choose another file, or replace it with --force"
+                    "choose another file, or overwrite it with --force"
                 } else {
                     "choose another file"
                 };
-                return Err(Failure::usage(format!("{shown} is there already"), hint));
+                return Err(Failure::usage(format!("{shown} already exists"), hint));
             }
         }
         Ok(())
@@ -146,8 +146,8 @@ fn plot(text: &str) -> Result<Plot, String> {
     let names = Figure::ALL.map(Figure::name).join(", ");
     let (figure, path) = match text.split_once('=') {
         Some((name, path)) if !name.contains(['/', '\\', '.']) => {
-            let figure =
-                Figure::named(name).ok_or_else(|| format!("{name:?} is not a figure: they are {names}"))?;
+            let figure = Figure::named(name)
+                .ok_or_else(|| format!("unknown figure {name:?}; the figures are {names}"))?;
             (Some(figure), path)
         }
         _ => (None, text),
@@ -156,8 +156,10 @@ fn plot(text: &str) -> Result<Plot, String> {
     let format = match ending.as_deref() {
         Some("svg") => Format::Svg,
         Some("png") => Format::Png,
-        _ if Figure::named(path).is_some() => return Err(format!("which file? {path}={path}.svg")),
-        _ => return Err("a plot is a file that ends with .svg or .png".to_owned()),
+        _ if Figure::named(path).is_some() => {
+            return Err(format!("the file is missing; write {path}={path}.svg"));
+        }
+        _ => return Err("the file name of a plot ends with .svg or .png".to_owned()),
     };
     Ok(Plot { figure, path: PathBuf::from(path), format })
 }
@@ -177,10 +179,10 @@ mod tests {
         for (wrong, says) in [
             ("fig", "ends with .svg"),
             ("fig.pdf", "ends with .svg"),
-            ("speed=fig.svg", "they are omega, euler"),
+            ("speed=fig.svg", "the figures are omega, euler"),
             ("drift", "drift=drift.svg"),
             ("drift=", "ends with .svg"),
-            ("=a.svg", "is not a figure"),
+            ("=a.svg", "unknown figure"),
         ] {
             let error = plot(wrong).unwrap_err();
             assert!(error.contains(says), "{wrong}: {error}");

@@ -6,10 +6,10 @@ use polhode_scenario::request::{explain, simulate, spin, stability, torque};
 use crate::failure::Failure;
 use crate::stdout::print_script;
 
-/// Print a JSON schema: of scenario files, or of the JSON that a command prints.
+/// Print the JSON schema of scenario files, or of a command's JSON output.
 ///
-/// An editor that has the schema of scenario files completes keys and marks wrong ones. A command's schema says of
-/// every number what it is and in which unit.
+/// With the schema of scenario files, an editor completes keys and marks invalid ones. A command's schema states the meaning and the unit
+/// of every number.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -20,7 +20,7 @@ pub(crate) struct Schema {
     /// Scenario files, or the command whose JSON is described.
     #[arg(value_enum)]
     name: Name,
-    /// Describe the request in place of the report: what a program asks the library for.
+    /// Describe the request instead of the report: the input of the library function.
     #[arg(long)]
     request: bool,
 }
@@ -64,7 +64,7 @@ impl Schema {
         let [report, request] = match self.name {
             Name::Scenario if self.request => {
                 let hint = "polhode schema scenario describes the files";
-                return Err(Failure::usage("a scenario file is no request of a command", hint));
+                return Err(Failure::usage("scenario files have no request schema", hint));
             }
             Name::Scenario => {
                 let schema = polhode_scenario::read::schema();

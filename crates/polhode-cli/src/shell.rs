@@ -15,7 +15,7 @@ pub(crate) struct Completions {
     shell: clap_complete::Shell,
 }
 
-/// Print the man page, or that of a subcommand.
+/// Print the man page of polhode or of a subcommand.
 ///
 /// To read it: `polhode man spin | man -l -`
 #[derive(Debug, Args)]
@@ -40,7 +40,10 @@ impl Man {
         let of = match &self.subcommand {
             None => &definitions,
             Some(name) => definitions.find_subcommand(name).ok_or_else(|| {
-                Failure::usage(format!("there is no subcommand {name:?}"), "`polhode --help` lists them")
+                Failure::usage(
+                    format!("unknown subcommand {name:?}"),
+                    "`polhode --help` lists the subcommands",
+                )
             })?,
         };
         let mut page = Vec::new();

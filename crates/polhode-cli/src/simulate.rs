@@ -23,10 +23,9 @@ use crate::table::{self, Format};
 
 /// Compute the motion of a scenario and write it to a folder.
 ///
-/// The folder holds summary.json (mass properties, the kind of motion, the error of the numbers, the final state),
-/// trajectory.parquet (one row per sample) and report.html (a page that shows the motion; it needs no network). It appears
-/// with all its files or not at all. A motion that cannot be computed to its end is written as far as it is good, and marked
-/// incomplete; the exit status is then 3.
+/// The folder contains summary.json (mass properties, kind of motion, error estimates, final state), trajectory.parquet (one row per
+/// sample) and report.html (an animated page that needs no network). The folder is written completely or not at all. A motion that cannot
+/// be computed to its end is written up to the last valid time and marked incomplete; the exit status is then 3.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -38,19 +37,19 @@ Examples:
 pub(crate) struct Simulate {
     #[command(flatten)]
     request: Request,
-    /// The folder to write [default: the scenario's name, here].
+    /// Output folder [default: the scenario's name, in the working directory].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Replace the results and the plots of an earlier run, of another scenario too: those of this one are replaced anyway.
+    /// Replace the results and plots of another scenario. Earlier results of this scenario are always replaced.
     #[arg(long)]
     force: bool,
-    /// The format of the table; may be given more than once [default: that of [run], else parquet].
+    /// Table format; may be repeated [default: that of [run], else parquet].
     #[arg(long, value_enum, value_name = "FORMAT")]
     table: Vec<Format>,
-    /// Leave out report.html.
+    /// Do not write report.html.
     #[arg(long)]
     no_page: bool,
-    /// Show report.html in the browser.
+    /// Open report.html in the browser.
     #[arg(long, conflicts_with = "no_page")]
     open: bool,
     /// Print the summary as JSON.
@@ -115,7 +114,7 @@ impl Simulate {
         match self.no_page || self.open {
             true => String::new(),
             false => {
-                format!("open {} in a browser to see it move (or add --open)\n", shown(&target.join(PAGE)))
+                format!("open {} in a browser to see the motion (or add --open)\n", shown(&target.join(PAGE)))
             }
         }
     }

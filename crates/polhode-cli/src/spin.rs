@@ -17,14 +17,14 @@ use crate::stdout::{columns, print};
 use files::FileFlags;
 use when::TimeFlags;
 
-/// Free motion at once: its kind, its periods, and the state at any time, past or future.
+/// Free motion in closed form: kind, periods, and the state at any time.
 ///
-/// The body is a scenario's (about its centre of mass, from its [start]; its [run] is not asked) or is given by its moments of
-/// inertia about the body axes x, y, z, or by its inertia tensor. The motion is exact: ω by Jacobi's elliptic functions and the attitude by theta
-/// functions, so a time 10⁹ periods away costs as much as the next second.
+/// The body is that of a scenario (about its centre of mass, from its [start]; its [run] is not used), or is defined by its moments of
+/// inertia about the body axes x, y, z, or by its inertia tensor. The motion is exact: ω by Jacobi elliptic functions, the attitude by theta
+/// functions. The cost does not depend on the time, even 10⁹ periods from the start.
 ///
-/// A number without a unit is SI. A list takes a unit for each number or one for all: "(0, 0, 30) deg/s". Nothing is
-/// written unless --duration, --curves, --html, -o or --plot is given.
+/// A number without a unit is SI. A list has one unit for each number, or one for all: "(0, 0, 30) deg/s". No files are written
+/// unless --duration, --curves, --html, -o or --plot is given.
 #[derive(Debug, Args)]
 #[command(
     after_help = "\

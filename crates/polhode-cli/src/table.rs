@@ -12,7 +12,7 @@ use crate::folder::Folder;
 pub(crate) enum Format {
     /// Apache Parquet, units and conventions in its metadata.
     Parquet,
-    /// Comma-separated text; numbers read back bit for bit.
+    /// Comma-separated text; numbers keep all their digits.
     Csv,
 }
 

@@ -16,10 +16,10 @@ use crate::partial;
 use crate::stdout::print;
 use crate::table::Format;
 
-/// The torque, the power and the forces that a given motion needs.
+/// Compute the torque, power and forces that a prescribed motion requires.
 ///
-/// The scenario prescribes the motion: a fixed axis, Euler angles, a quaternion or ω as formulas of t, a table, or a shaft on two
-/// bearings, whose reactions and correction masses are printed too. Nothing is integrated but ω.
+/// The scenario prescribes the motion: a fixed axis; Euler angles, a quaternion or ω as formulas of t; a table; or a shaft on two
+/// bearings. For a shaft, the bearing reactions and the correction masses are printed too. Only ω is integrated.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -31,13 +31,13 @@ Examples:
 pub(crate) struct Torque {
     #[command(flatten)]
     request: Request,
-    /// Write a table with a row for each sample of [run], in this format [default: by the name of -o, else csv].
+    /// Write a table with one row per sample of [run], in this format [default: from the extension of -o, else csv].
     #[arg(long, value_enum, value_name = "FORMAT")]
     table: Option<Format>,
-    /// The table to write [default, with --table: the scenario's name and -torque, here].
+    /// Output file of the table [default with --table: SCENARIO-torque in the working directory].
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Replace an earlier table.
+    /// Overwrite an existing table.
     #[arg(long, requires = "written")]
     force: bool,
     /// Print JSON.
@@ -97,8 +97,8 @@ fn require_run(scenario: &Scenario, path: &str) -> Result<(), Failure> {
     match scenario.run() {
         Some(_) => Ok(()),
         None => Err(Failure::usage(
-            format!("{path} has no [run] section, so a table has no rows"),
-            "write [run] with duration = \"10 s\" and samples = 1001",
+            format!("{path} has no [run] section, so a table would have no rows"),
+            "add [run] with duration = \"10 s\" and samples = 1001",
         )),
     }
 }

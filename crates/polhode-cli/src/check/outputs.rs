@@ -96,7 +96,7 @@ impl<'a> Outputs<'a> {
         let text = fs::read(model).unwrap_or_default();
         let text = String::from_utf8_lossy(&text);
         let named = names.into_iter().find(|(_, name)| text.contains(name)).map(|(out, _)| out);
-        self.require_not_read("a file that the model names, which cannot be read", named.into_iter())
+        self.require_not_read("an unreadable file that the model names", named.into_iter())
     }
 }
 
@@ -104,15 +104,15 @@ fn require_place(option: &str, out: &Path, force: bool) -> Result<(), Failure> {
     let shown = shown(out);
     match fs::symlink_metadata(out) {
         Ok(meta) if meta.is_dir() || out.is_dir() => Err(Failure::usage(
-            format!("{shown} is a folder, and {option} writes a file"),
+            format!("{shown} is a folder, but {option} writes a file"),
             "name a file in it",
         )),
         Ok(_) if !force => Err(Failure::usage(
-            format!("{shown} is there already"),
-            "choose another file, or replace it with --force",
+            format!("{shown} already exists"),
+            "choose another file, or overwrite it with --force",
         )),
         _ if !parent(out).is_dir() => {
-            Err(Failure::usage(format!("{shown} is in a folder that is not there"), "make the folder first"))
+            Err(Failure::usage(format!("the folder of {shown} does not exist"), "create the folder first"))
         }
         _ => Ok(()),
     }

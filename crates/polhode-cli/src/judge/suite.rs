@@ -19,8 +19,8 @@ const EXACT: &str = "exact";
 /// Writes the suite into a new folder, completely or not at all.
 pub(super) fn write(target: &Path) -> Result<(), Failure> {
     if fs::symlink_metadata(target).is_ok() {
-        let message = format!("{} is there already", shown(target));
-        return Err(Failure::usage(message, "name a new folder"));
+        let message = format!("{} already exists", shown(target));
+        return Err(Failure::usage(message, "choose a new folder"));
     }
     let folder = Partial::folder(target, |path| fs::remove_dir_all(path))?;
     let put = |name: PathBuf, write: &dyn Fn(&mut Vec<u8>) -> io::Result<()>| {

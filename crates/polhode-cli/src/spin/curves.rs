@@ -12,11 +12,11 @@ use crate::folder::Folder;
 
 #[derive(Debug, Args)]
 pub(super) struct CurveFlags {
-    /// Write the curves, a CSV file for each: the paths of ω (polhode) and L in the body over one period; the path of ω on the
+    /// Write each curve to a CSV file: the paths of ω (polhode) and L in the body over one period; the path of ω on the
     /// invariable plane (herpolhode) and both cones up to --duration, else over three periods.
     #[arg(long)]
     curves: bool,
-    /// How far straight lines between a curve's points may depart from it, relative to its largest vector [default: 1e-3].
+    /// Largest distance of the polyline from the curve, relative to the curve's largest vector [default: 1e-3].
     #[arg(long, value_name = "E", requires = "curves", value_parser = chord_error)]
     chord_error: Option<f64>,
 }
@@ -49,7 +49,7 @@ impl CurveFlags {
         };
         let failed = |error: CurveError| {
             Failure::usage(
-                format!("a curve cannot be drawn: {error}"),
+                format!("cannot compute a curve: {error}"),
                 "try a larger --chord-error or a shorter --duration",
             )
         };

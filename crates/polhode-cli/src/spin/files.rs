@@ -20,21 +20,21 @@ use crate::table::{self, Format};
 pub(super) struct FileFlags {
     #[command(flatten)]
     pub(super) sampling: Sampling,
-    /// The format of the table; may be given more than once [default: parquet].
+    /// Table format; may be repeated [default: parquet].
     #[arg(long, value_enum, value_name = "FORMAT", requires = "duration")]
     table: Vec<Format>,
     #[command(flatten)]
     curves: CurveFlags,
-    /// Write a page that shows the motion, up to --duration or the last --at, else for some periods.
+    /// Write a page that shows the motion, up to --duration or the last --at, else for several periods.
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, default_missing_value = PAGE)]
     html: Option<PathBuf>,
-    /// Leave report.html out of the folder that --duration, --curves or -o writes.
+    /// Do not write report.html to the output folder.
     #[arg(long, requires = "folder", conflicts_with = "periods")]
     no_page: bool,
-    /// The folder to write [default: the scenario's name, else spin, here].
+    /// Output folder [default: the scenario's name, else spin, in the working directory].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Replace the results and the plots of an earlier run.
+    /// Replace existing results and plots.
     #[arg(long, requires = "written")]
     force: bool,
 }

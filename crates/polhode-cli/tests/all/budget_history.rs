@@ -78,7 +78,7 @@ fn the_scenario_moves_as_the_sequence_does() {
     assert!(apart < 1e-4 * start.omega.norm(), "{apart:e} {omega:?}");
 
     let error = refused(&scratch.run(&["budget", &rocket, "--scenario", "rocket.toml"]), 2);
-    assert!(error.contains("is there already"), "{error}");
+    assert!(error.contains("already exists"), "{error}");
     stdout(&scratch.run(&["budget", &rocket, "--scenario", "rocket.toml", "--force"]));
     let error = refused(&scratch.run(&["budget", &rocket, "--scenario", "rocket.csv"]), 2);
     assert!(error.contains("a scenario is a TOML file"), "{error}");

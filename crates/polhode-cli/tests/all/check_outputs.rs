@@ -113,9 +113,10 @@ fn what_a_model_is_made_of_that_cannot_be_read_is_kept() {
     );
     scratch.write("results.txt", "old");
     let before = contents(&scratch.0);
-    for (out, said) in
-        [("torn.xml", "a file that the model includes"), ("inc.xml", "a file that the model names")]
-    {
+    for (out, said) in [
+        ("torn.xml", "a file that the model includes"),
+        ("inc.xml", "an unreadable file that the model names"),
+    ] {
         let text = refused(&scratch.run(&["check", "top.xml", "robot.urdf", "-o", out, "--force"]), 2);
         assert!(text.contains(said), "{text}");
         assert_eq!(contents(&scratch.0), before, "{out}");
@@ -132,9 +133,9 @@ fn nothing_is_written_if_one_of_the_outputs_cannot_be() {
     scratch.write("there.txt", "kept");
     let before = contents(&scratch.0);
     for (second, said) in [
-        ("there.txt", "there.txt is there already"),
-        ("models", "models is a folder, and --output writes a file"),
-        ("no/such.txt", "is in a folder that is not there"),
+        ("there.txt", "there.txt already exists"),
+        ("models", "models is a folder, but --output writes a file"),
+        ("no/such.txt", "the folder of no/such.txt does not exist"),
     ] {
         let text = refused(&scratch.run(&["check", "robot.urdf", "--fix", "o.urdf", "--output", second]), 2);
         assert!(text.contains(said), "{text}");
@@ -152,7 +153,7 @@ fn a_baseline_that_is_not_written_is_said() {
     let output = scratch.run(&["check", "torn.urdf", "robot.urdf", "--write-baseline", "part.json"]);
     assert_eq!(status(&output), Some(2));
     assert!(
-        said(&output).contains("part.json is not written: not all files could be read"),
+        said(&output).contains("part.json is not written, because some files could not be read"),
         "{}",
         said(&output)
     );

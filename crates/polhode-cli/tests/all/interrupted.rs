@@ -104,7 +104,7 @@ fn old_results_whose_successor_never_came_go_back() {
     // The state between the two renames of a run that replaces old results.
     fs::rename(scratch.0.join("out"), scratch.0.join(".out.old-4711")).unwrap();
     let text = refused(&scratch.run(&["simulate", "long.toml", "-o", "out"]), 2);
-    assert!(text.contains("is there already"), "{text}");
+    assert!(text.contains("already exists"), "{text}");
     assert_eq!(fs::read(scratch.0.join("out/summary.json")).unwrap(), summary);
     // The state after both renames.
     stdout(&scratch.run(&["simulate", "short.toml", "-o", ".out.old-4711"]));
@@ -199,7 +199,7 @@ fn of_two_starts_one_wins_and_the_other_says_so() {
         assert!(won >= 1, "{won}");
         for output in outputs.iter().filter(|output| !output.status.success()) {
             let text = refused(output, 2);
-            assert!(text.contains("another polhode") || text.contains("is there already"), "{text}");
+            assert!(text.contains("another polhode") || text.contains("already exists"), "{text}");
         }
         assert_eq!(scratch.entries(), ["long.toml", "out", "out2", "short.toml"]);
         assert_eq!(crate::common::entries(&scratch.0.join("out")).len(), 3);
@@ -245,7 +245,7 @@ fn without_room_nothing_is_left_half_written() {
         &[&spin[..], &["--duration", "20 s", "--table", "csv", "-o", "spin"]].concat(),
     ] {
         let text = refused(&without_room(&scratch, 1, run), 2);
-        assert!(text.contains("cannot write") && text.contains("make room"), "{run:?}: {text}");
+        assert!(text.contains("cannot write") && text.contains("free disk space"), "{run:?}: {text}");
         assert_eq!(scratch.entries(), ["long.toml", "short.toml"], "{run:?}");
     }
     // Old results are kept.

@@ -15,8 +15,8 @@ fn lessons_are_listed_and_what_has_nothing_to_do_beside_is_refused() {
     let taken = TcpListener::bind("127.0.0.1:0").unwrap();
     let port = taken.local_addr().unwrap().port().to_string();
     for (arguments, said) in [
-        (&["--lesson", "--no-open"][..], "--no-open has nothing to do"),
-        (&["--port", "8000", "--lesson"], "--port has nothing to do"),
+        (&["--lesson", "--no-open"][..], "--no-open has no effect"),
+        (&["--port", "8000", "--lesson"], "--port has no effect"),
         (&["--lesson", "nothing-of-the-kind"], "nothing-of-the-kind"),
         (&["--lesson", "cube", &example("t-handle.toml")], "cannot be used with"),
         (&["missing.toml"], "\"missing.toml\" cannot be read"),

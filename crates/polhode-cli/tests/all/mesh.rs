@@ -318,7 +318,7 @@ fn the_mesh_is_written_as_it_was_used_and_replaces_nothing_unasked() {
         }
         assert!(again["findings"].as_array().unwrap().is_empty(), "{name}: {}", again["findings"]);
         let there = refusal(&[name]);
-        assert!(there.contains("is there already") && there.contains("--force"), "{there}");
+        assert!(there.contains("already exists") && there.contains("--force"), "{there}");
         json(&scratch.run(&[mend.as_slice(), &[name, "--force"]].concat()));
     }
     // Inward winding is reversed on output, and parts keep their names.

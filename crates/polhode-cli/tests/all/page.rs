@@ -42,7 +42,7 @@ fn simulate_writes_a_page_beside_the_summary() {
     let scratch = Scratch::new("page-simulate");
     scratch.write("handle.toml", HANDLE);
     let text = stdout(&scratch.run(&["simulate", "handle.toml"]));
-    let wrote = "wrote handle/summary.json  trajectory.parquet  report.html\nopen handle/report.html in a browser to see it move";
+    let wrote = "wrote handle/summary.json  trajectory.parquet  report.html\nopen handle/report.html in a browser to see the motion";
     assert!(text.contains(wrote), "{text}");
     assert_eq!(entries(&scratch.0.join("handle")), ["report.html", "summary.json", "trajectory.parquet"]);
     let (html, data) = scratch.page("handle/report.html");
@@ -79,7 +79,7 @@ fn spin_writes_a_page_on_its_own() {
     // An existing page is kept, unless it may be replaced; nothing else is left.
     let before = fs::read(scratch.0.join("report.html")).unwrap();
     let text = refused(&scratch.run(&[&top[..], &["--html"]].concat()), 2);
-    assert!(text.contains("report.html is there already") && text.contains("hint: "), "{text}");
+    assert!(text.contains("report.html already exists") && text.contains("hint: "), "{text}");
     assert_eq!(fs::read(scratch.0.join("report.html")).unwrap(), before);
     stdout(&scratch.run(&[&top[..], &["--html", "--force", "--at", "7"]].concat()));
     assert_ne!(fs::read(scratch.0.join("report.html")).unwrap(), before);

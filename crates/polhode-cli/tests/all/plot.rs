@@ -25,7 +25,7 @@ fn plots_are_written_beside_the_results() {
     // If one target file exists, nothing is written; with permission to replace, all files are.
     fs::write(scratch.0.join("all.svg"), "old").unwrap();
     let text = refused(&scratch.run(&["simulate", &scenario, "--plot", "all.svg"]), 2);
-    assert!(text.contains("all.svg is there already") && text.contains("--force"), "{text}");
+    assert!(text.contains("all.svg already exists") && text.contains("--force"), "{text}");
     assert_eq!(fs::read_to_string(scratch.0.join("all.svg")).unwrap(), "old");
     assert_eq!(scratch.entries(), ["all.svg", "fig", "out"]);
     stdout(&run(&["--plot", "all.svg", "--force"]));

@@ -465,7 +465,7 @@ fn a_folder_is_written_whole_or_not_at_all() {
     let library = motion([1.0, 2.0, 3.0], [0.01, 1.0, 0.01]).at(4.0);
     assert_eq!([rows[2][0], rows[2][5]].map(|cell| cell.parse::<f64>().unwrap()), [4.0, library.omega.x]);
 
-    assert!(refused(&spin(&scratch, &write)).contains("spin is there already"));
+    assert!(refused(&spin(&scratch, &write)).contains("spin already exists"));
     stdout(&spin(&scratch, &plate(&["--duration", "1", "--every", "0.5", "--force", "--no-page"])));
     assert_eq!(entries(&scratch.0.join("spin")), ["summary.json", "trajectory.parquet"]);
     stdout(&spin(&scratch, &plate(&["-o", "only"])));

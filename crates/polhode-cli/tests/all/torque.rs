@@ -71,7 +71,7 @@ fn a_slew_begins_and_ends_without_torque() {
     assert!(rows[150][column("force_1_body_x_n")] != 0.0);
     // A table is replaced only on request; Parquet is supported too.
     let again = refused(&scratch.run(&["torque", &file, "-o", "slew.csv"]), 2);
-    assert!(again.contains("slew.csv is there already"), "{again}");
+    assert!(again.contains("slew.csv already exists"), "{again}");
     assert!(stdout(&scratch.run(&["torque", &file, "-o", "slew.csv", "--force"])).contains("wrote slew.csv"));
     assert!(
         stdout(&scratch.run(&["torque", &file, "--table", "parquet"])).contains("wrote slew-torque.parquet")

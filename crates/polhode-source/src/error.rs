@@ -443,7 +443,7 @@ fn rotation_hint(error: &RotationError) -> &'static str {
         RotationError::Quaternion { .. } => {
             "no turn at all is quaternion = [1, 0, 0, 0]: the scalar comes first"
         }
-        RotationError::Axis { .. } => "the z axis is [0, 0, 1]; any length will do",
+        RotationError::Axis { .. } => "the z axis is [0, 0, 1]; its length does not matter",
         RotationError::Matrix { .. } => {
             "its columns are the turned axes: of length 1, perpendicular, right-handed, with eight digits or more"
         }

@@ -82,7 +82,7 @@ fn absurd_metres(parts: &[BodyPart], k: usize, mass_given: bool) -> Option<Findi
         extent: part.extent,
         mass_given,
         others: Some(largest).filter(|largest| *largest > 0.0),
-        remedy: "write unit = \"mm\", or unit = \"m\" if it is so",
+        remedy: "write unit = \"mm\", or unit = \"m\" if it is in metres",
     };
     assumed.finding(Some(format!("part \"{}\"", part.name)))
 }
@@ -131,7 +131,7 @@ pub(crate) fn thinness(principal: &PrincipalFrame<Body>) -> Option<Finding> {
         Symmetry::Point => ("body.point", "all the mass is at one point: the body has no inertia of its own"),
         Symmetry::Rod => (
             "body.rod",
-            "all the mass is on one line: the body has no inertia about it, and a spin about it means nothing",
+            "all the mass is on one line: the body has no inertia about this line, and a spin about it has no effect",
         ),
         _ => return None,
     };

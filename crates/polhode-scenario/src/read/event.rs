@@ -41,8 +41,8 @@ pub(crate) fn events(
 ) -> Result<Vec<Event>, FormatError> {
     let list = root.get("event").filter(|_| root.get("run").is_none());
     if let Some(list) = list {
-        let hint = "nothing happens without [run]: add it, or leave out [[event]]";
-        return Err(list.invalid("beside a [run]").with_hint(hint));
+        let hint = "events need [run]: add it, or leave out [[event]]";
+        return Err(list.invalid("used with [run]").with_hint(hint));
     }
     events_of(root, torques, references)
 }
@@ -92,7 +92,7 @@ fn event(
     let between = matches!(name, "angle" | "nutation");
     if between && !(value > 0.0 && value < PI) {
         let hint =
-            "such an angle turns back at its ends and does not pass them: measure from a direction across it";
+            "this angle reaches 0 and 180 deg without crossing them: measure from a perpendicular direction";
         return Err(given_value.invalid("above 0 and below 180 deg").with_hint(hint));
     }
     let sense = match table
@@ -201,7 +201,8 @@ impl Line {
         }
         let table = value.table()?;
         table.allow(&["body", "space"])?;
-        let Some(given) = table.at_most_one(&["body", "space"], "a direction is fixed in one of them")?
+        let Some(given) =
+            table.at_most_one(&["body", "space"], "a direction is fixed either in the body or in space")?
         else {
             return Err(table.missing("body", "{ body = [0, 0, 1] }"));
         };

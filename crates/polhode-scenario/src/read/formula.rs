@@ -15,7 +15,7 @@ use super::shape::Geometry;
 /// Variables: coordinates along the axes of the part, m.
 const VARIABLES: [&str; 3] = ["x", "y", "z"];
 
-const UNREACHED: &str = "give a larger density_tolerance, or make two parts where the density jumps";
+const UNREACHED: &str = "give a larger density_tolerance, or divide the part where the density jumps";
 
 /// Density ρ(x, y, z), kg/m³, with its integration tolerance.
 pub(crate) struct Formula {
@@ -58,7 +58,7 @@ impl Formula {
         })?;
         if !matches!(extent, Extent::Volume(_)) {
             return Err(value
-                .invalid("one number for a thin shell, plate or rod: a formula is for a solid")
+                .invalid("one number for a thin shell, plate or rod: only a solid can have a formula")
                 .with_hint("make it a box, a cylinder or another solid, or a mesh"));
         }
         let mut cubature = Cubature::default();
@@ -80,7 +80,7 @@ impl Formula {
         part: &str,
         findings: &mut Vec<Finding>,
     ) -> Result<MassProperties<Part>, FormatError> {
-        let solid = form.as_solid().ok_or_else(|| value.invalid("one number for what is thin or united"))?;
+        let solid = form.as_solid().ok_or_else(|| value.invalid("one number for thin or united meshes"))?;
         let body = mass_properties_of_field(solid, &self.expression, self.cubature).map_err(|e| {
             let unreached = matches!(e, BodyError::Cubature { .. });
             let error = value.body(e);

@@ -25,10 +25,11 @@ impl<'a> Spot<'a> {
         while !rest.is_empty() {
             let done = &key[..key.len() - rest.len()];
             if let Some(inside) = rest.strip_prefix('[') {
-                let from = spot.ok_or_else(|| ("a key that begins with a table's name".to_owned(), None))?;
+                let from =
+                    spot.ok_or_else(|| ("a key that starts with the name of a table".to_owned(), None))?;
                 let (index, after) = inside
                     .split_once(']')
-                    .ok_or_else(|| (format!("a key, but its bracket is not closed after {done}"), None))?;
+                    .ok_or_else(|| (format!("a key; the bracket after {done} is not closed"), None))?;
                 spot = Some(element(from, done, index, after)?);
                 rest = after;
                 continue;
@@ -65,15 +66,18 @@ fn no_key(table: Option<&Entries>, done: &str, word: &str, after: &str) -> Nowhe
     let hint = match nearest(word, keys.iter().copied()) {
         Some(near) => Some(format!("did you mean \"{done}{dot}{near}{after}\"?")),
         None if keys.is_empty() => None,
-        None => Some(format!("the keys of {here} are {}; what varies has to stand there", keys.join(", "))),
+        None => Some(format!(
+            "the keys of {here} are {}; a varying number must be written in the file",
+            keys.join(", ")
+        )),
     };
-    (format!("a key of the scenario, but {here} has no \"{word}\""), hint)
+    (format!("a key of the scenario; {here} has no key \"{word}\""), hint)
 }
 
 /// Returns an element of an array by its index, from 0, or by its `name`.
 fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<Spot<'a>, Nowhere> {
     let Kind::List(elements) = &from.node.kind else {
-        return Err((format!("a key of the scenario, but {done} is not an array"), None));
+        return Err((format!("a key of the scenario; {done} is not an array"), None));
     };
     let name_of = |node: &'a std::sync::Arc<Node>| match &node.kind {
         Kind::Table(entries) => match &entries.get("name")?.node.kind {
@@ -91,12 +95,12 @@ fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<S
                     Some(near) => format!("did you mean '{done}[\"{near}\"]{after}'?"),
                     None => format!("write {done}[0], or give it a name = \"...\""),
                 };
-                (format!("a key of the scenario, but no {done} is named \"{name}\""), Some(hint))
+                (format!("a key of the scenario; no {done} is named \"{name}\""), Some(hint))
             })?
         }
         None => index.trim().parse::<usize>().ok().filter(|k| *k < elements.len()).ok_or_else(|| {
             let hint = format!("{done} has {} elements, from {done}[0]", elements.len());
-            (format!("a key of the scenario, but there is no {done}[{index}]"), Some(hint))
+            (format!("a key of the scenario; {done}[{index}] does not exist"), Some(hint))
         })?,
     };
     let node = elements.get(k).map_or(from.node, |node| node);

@@ -55,7 +55,7 @@ pub(crate) fn read<'a>(
     let Some(value) = root.get("mass_history") else { return Ok(None) };
     let table = value.table()?;
     table.allow(&["burn", "drop", "table", "products", "exit", "in_place"])?;
-    let rule = "a table says all of what the body is";
+    let rule = "the table defines the whole body";
     table.at_most_one(&["burn", "table"], rule)?;
     table.at_most_one(&["drop", "table"], rule)?;
     let outflow = outflow(&table)?;
@@ -71,14 +71,14 @@ pub(crate) fn read<'a>(
     let is_closed = outflow == Outflow::None;
     let history = MassHistory::new(&rows, outflow).map_err(|error| {
         let error = value.motion(error);
-        let hint = "say where it leaves: [[mass_history.exit]], or in_place = true for what is left behind where it was";
+        let hint = "state where the mass leaves: [[mass_history.exit]], or in_place = true if it stays at rest relative to the body where it was";
         if is_closed { error.with_hint(hint) } else { error }
     })?;
     if let Some(file) = table.get("table") {
         let (at_start, _) = history.at(0.0).map_err(|error| file.motion(error))?;
         if mass_table::differs(&at_start, body) {
-            let rule = "a table that is the [body] at t = 0";
-            let hint = "the body is said twice, and so differently: a body.part of shape \"tensor\" with what the table has at t = 0 agrees";
+            let rule = "a table that agrees with [body] at t = 0";
+            let hint = "[body] and the table contradict each other at t = 0: use a body.part of shape \"tensor\" with the values of the table at t = 0";
             return Err(file.invalid(rule).with_hint(hint));
         }
     }
@@ -88,7 +88,7 @@ pub(crate) fn read<'a>(
 /// Reads `exit`: `position`, for a wide exit `radius` and `axis`, and for several exits `share`; or
 /// `in_place = true`.
 fn outflow(table: &Table<'_>) -> Result<Outflow, FormatError> {
-    let rule = "what is left behind in place goes through no exit";
+    let rule = "mass that is left in place passes through no exit";
     let Some(given) = table.at_most_one(&["exit", "in_place"], rule)? else { return Ok(Outflow::None) };
     if given.key() == "in_place" {
         return Ok(if given.boolean()? { Outflow::InPlace } else { Outflow::None });
@@ -108,8 +108,8 @@ pub fn exits(given: &Value<'_>, header: &str) -> Result<Vec<Exit>, FormatError> 
         let axis = match (radius, table.get("axis")) {
             (None, Some(axis)) => {
                 return Err(axis
-                    .invalid("left out, as there is no radius")
-                    .with_hint("an exit without one is a point"));
+                    .invalid("left out, because the exit has no radius")
+                    .with_hint("an exit without a radius is a point"));
             }
             (None, None) => Direction::ZERO,
             (Some(_), _) => {
@@ -130,7 +130,7 @@ pub fn exits(given: &Value<'_>, header: &str) -> Result<Vec<Exit>, FormatError> 
     let exits = tables.iter().map(exit).collect::<Result<Vec<_>, FormatError>>()?;
     let sum: f64 = exits.iter().map(|exit| exit.share).sum();
     if (sum - 1.0).abs() > 1e-9 {
-        return Err(given.invalid(format!("exits whose shares are 1 together: they are {sum}")));
+        return Err(given.invalid(format!("exits with shares that add up to 1; the sum is {sum}")));
     }
     Ok(exits)
 }
@@ -169,7 +169,7 @@ fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<(Vec<MassRow>, Vec<
         let part = burn.require("part", "part = \"propellant\"")?;
         let k = place(&part, parts)?;
         if fates[k].burn.is_some() {
-            return Err(part.invalid("named in one burn"));
+            return Err(part.invalid("named in one burn only"));
         }
         let from = burn.get("from").map_or(Ok(0.0), |from| not_before_start(&from))?;
         let until = burn.require("until", "until = \"40 s\"")?;
@@ -183,7 +183,7 @@ fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<(Vec<MassRow>, Vec<
             if mass >= 0.0 && mass < whole {
                 return Ok(mass);
             }
-            Err(left.invalid(format!("not negative, and less than what there is, {whole} kg")))
+            Err(left.invalid(format!("not negative, and less than the available mass, {whole} kg")))
         })?;
         (fates[k].burn, fates[k].left) = (Some([from, end]), left / whole);
         times.extend([from, end]);
@@ -264,7 +264,9 @@ fn place(value: &Value<'_>, parts: &[BodyPart]) -> Result<usize, FormatError> {
     let mut found = parts.iter().enumerate().filter(|(_, part)| part.name == name).map(|(k, _)| k);
     match (found.next(), found.next()) {
         (Some(k), None) => Ok(k),
-        (Some(_), Some(_)) => Err(value.invalid("the name of one part: several are called so")),
+        (Some(_), Some(_)) => {
+            Err(value.invalid("the name of exactly one part; several parts have this name"))
+        }
         (None, _) => {
             let error = value.invalid("the name of a part of the body");
             Err(match nearest(name, parts.iter().map(|part| part.name.as_str())) {

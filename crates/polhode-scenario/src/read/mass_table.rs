@@ -63,7 +63,12 @@ fn of_text(bytes: &[u8], sign: f64) -> Result<Vec<MassRow>, ContentError> {
         let numbers = csv::numbers::<21>(text, &line, &fields, header.len(), &places)?;
         let [time, mass, x, y, z, xx, yy, zz, xy, xz, yz, rates @ ..] = numbers;
         if rows.last().is_some_and(|last| time < last.time) {
-            return Err(csv::value("time_s", &time.to_string(), "not before that of the row before", line));
+            return Err(csv::value(
+                "time_s",
+                &time.to_string(),
+                "not before the time of the previous row",
+                line,
+            ));
         }
         let refused = |error| {
             ContentError::new(ContentErrorKind::Body(Box::new(error)), ContentPlace::Text(line.clone()))
@@ -77,7 +82,7 @@ fn of_text(bytes: &[u8], sign: f64) -> Result<Vec<MassRow>, ContentError> {
         rows.push(MassRow { time, body, rates: with_rates.then_some(rates) });
     }
     if rows.is_empty() {
-        return Err(missing("rows").hint("below the header write a line for each time"));
+        return Err(missing("rows").hint("write one line per time below the header"));
     }
     Ok(rows)
 }

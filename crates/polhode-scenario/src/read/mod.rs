@@ -221,7 +221,8 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
     let named = error.path().extension().is_some_and(|extension| extension.eq_ignore_ascii_case("stl"));
     let head = bytes.trim_ascii_start().get(..6).unwrap_or_default();
     if named || head.eq_ignore_ascii_case(b"solid ") || stl::read(bytes).is_ok() {
-        return error.with_hint("a mesh is no scenario: polhode inertia reads it if its name ends in .stl");
+        return error
+            .with_hint("this is a mesh, not a scenario: polhode inertia reads it if its name ends in .stl");
     }
     error
 }
@@ -282,15 +283,12 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
         root.at_most_one(&[a, b], why)?;
     }
 
-    root.at_most_one(&["mass_history", "sweep"], "the members of a sweep are bodies that stay as they are")?;
-    root.at_most_one(
-        &["contact", "sweep"],
-        "what becomes of a body on the ground is no column of a dataset",
-    )?;
-    root.at_most_one(&["gimbals", "sweep"], "what becomes of a rotor in gimbals is no column of a dataset")?;
+    root.at_most_one(&["mass_history", "sweep"], "the bodies of a sweep have constant mass properties")?;
+    root.at_most_one(&["contact", "sweep"], "sweeps have no outcomes for bodies on the ground")?;
+    root.at_most_one(&["gimbals", "sweep"], "sweeps have no outcomes for rotors in gimbals")?;
     root.at_most_one(
         &["gimbals", "start"],
-        "the angles and rates of the axes say how a rotor in gimbals starts",
+        "the start of a rotor in gimbals is defined by the angles and rates of the axes",
     )?;
 
     let mut findings = Vec::new();

@@ -59,14 +59,14 @@ pub(crate) fn finding(uncertainty: &Uncertainty) -> Finding {
             "prescribed.noisy",
             Severity::Warning,
             format!(
-                "the table is rounded or noisy, most at t = {time} s, and so is the torque: {known}; smooth it first"
+                "the table is rounded or noisy, mostly at t = {time} s, and so is its torque: {known}; smooth the table first"
             ),
         ),
         (true, false) => (
             "prescribed.coarse",
             Severity::Warning,
             format!(
-                "the table is too coarse for the torque at t = {time} s: {known}; give rows nearer together"
+                "the table is too coarse for the torque at t = {time} s: {known}; give rows at shorter intervals"
             ),
         ),
         (false, _) => ("prescribed.table", Severity::Info, known),

@@ -57,12 +57,10 @@ impl SharedOrbit {
         let km = least / 1e3;
         let message = match self.orbit.mean_motion().filter(|_| self.by_rate) {
             Some(rate) => format!(
-                "no orbit about the Earth has the rate {rate} rad/s: its radius would be {km:.1} km, and the Earth reaches to 6356.8 km; is \
-                 its unit right, or is mu another body's?"
+                "no orbit about the Earth has the rate {rate} rad/s: its radius would be {km:.1} km, below the Earth's polar radius of 6356.8 km; check the unit, or give mu of another body"
             ),
             None => format!(
-                "the orbit comes within {km:.1} km of the centre of what has the Earth's µ, and the Earth reaches to 6356.8 km: is a \
-                 height given as a radius?"
+                "the orbit comes within {km:.1} km of the Earth's centre, below the polar radius of 6356.8 km: perhaps an altitude was given as a radius"
             ),
         };
         let severity = Severity::Warning;
@@ -112,7 +110,7 @@ fn orbit(value: &Value<'_>) -> Result<Orbit, FormatError> {
     }
     table.at_most_one(
         &["altitude", "mu"],
-        "an altitude is above the Earth: of another body give the radius",
+        "an altitude is relative to the Earth: for another body give the radius",
     )?;
     let mu = match table.get("mu") {
         Some(mu) => positive(&mu, Dimension::GRAVITATIONAL_PARAMETER)?,
@@ -132,7 +130,10 @@ fn orbit(value: &Value<'_>) -> Result<Orbit, FormatError> {
         "semi_major_axis" => Orbit::of_elements(mu, &elements(&table, form.quantity(Dimension::LENGTH)?)?),
         _ if let Some(angle) = angles.iter().find_map(|key| table.get(key)) => {
             for key in ["radial", "motion"] {
-                table.at_most_one(&[key, angle.key()], "directions or angles say how the circle lies")?;
+                table.at_most_one(
+                    &[key, angle.key()],
+                    "give the orientation of the orbit either by directions or by angles",
+                )?;
             }
             Orbit::of_elements(mu, &elements(&table, radius(&form)?)?)
         }
@@ -160,7 +161,8 @@ fn radius(form: &Value<'_>) -> Result<f64, FormatError> {
 /// Reads orbital elements; eccentricity and angles default to zero.
 fn elements(table: &Table<'_>, semi_major_axis: f64) -> Result<OrbitalElements, FormatError> {
     let angle = |key| table.get(key).map_or(Ok(0.0), |value| value.quantity(Dimension::ANGLE));
-    let anomaly = table.at_most_one(&["mean_anomaly", "true_anomaly"], "either says where on the orbit")?;
+    let anomaly =
+        table.at_most_one(&["mean_anomaly", "true_anomaly"], "both define the position on the orbit")?;
     Ok(OrbitalElements {
         semi_major_axis,
         eccentricity: table.get("eccentricity").map_or(Ok(0.0), |value| value.number())?,
@@ -180,5 +182,7 @@ fn positive(value: &Value<'_>, dimension: Dimension) -> Result<f64, FormatError>
     if number > 0.0 {
         return Ok(number);
     }
-    Err(value.invalid("positive").with_hint("radial and motion say where the body is, and which way it goes"))
+    Err(value
+        .invalid("positive")
+        .with_hint("radial and motion define the position and the direction of motion"))
 }

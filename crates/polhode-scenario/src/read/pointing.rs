@@ -33,7 +33,9 @@ pub(crate) fn pointings(root: &Table<'_>, references: &References<'_>) -> Result
                 .with_hint(hint));
         }
         if pointings.iter().any(|other| other.name().eq_ignore_ascii_case(name)) {
-            return Err(named.invalid("no other pointing's").with_hint("give each its own"));
+            return Err(named
+                .invalid("different from the names of other pointings")
+                .with_hint("give each pointing its own name"));
         }
         let axis = table.require("body", "body = [0, 0, 1]")?;
         let body: Direction<Body> = direction(&axis)?;
@@ -61,7 +63,7 @@ pub(crate) fn direction<F: Frame>(value: &Value<'_>) -> Result<Direction<F>, For
         Some(_) => Ok(direction),
         None => Err(value
             .invalid("a direction: not all zero")
-            .with_hint("the z axis is [0, 0, 1]; any length will do")),
+            .with_hint("the z axis is [0, 0, 1]; its length does not matter")),
     }
 }
 
@@ -70,14 +72,14 @@ impl References<'_> {
     pub(crate) fn named(&self, value: &Value<'_>, name: &str) -> Result<Reference, FormatError> {
         if name == "field" {
             let field = self.field.ok_or_else(|| {
-                let rule = "left out, since no [[torque]] of model \"magnetic\" says what the field is, or two differ";
+                let rule = "left out, since no [[torque]] of model \"magnetic\" defines the field, or two fields differ";
                 value.invalid(rule).with_hint("give its direction as { space = [0, 0, 1] }")
             })?;
             return Ok(Reference::Field(field.clone()));
         }
         let orbit = self.orbit.cloned().ok_or_else(|| {
             let hint = "write [orbit] on a line of its own, and under it altitude = \"500 km\"";
-            value.invalid("beside an [orbit], which gives this direction").with_hint(hint)
+            value.invalid("used with an [orbit], which defines this direction").with_hint(hint)
         })?;
         Ok(match name {
             "nadir" => Reference::Nadir(orbit),

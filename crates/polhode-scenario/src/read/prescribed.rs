@@ -28,7 +28,7 @@ pub(crate) fn prescribed(
     let table = value.table()?;
     let own = [&FORMS[..], &["rate", "acceleration", "rates", "columns"]].concat();
     table.allow(&own)?;
-    let Some(form) = table.at_most_one(&FORMS, "the motion is given once")? else {
+    let Some(form) = table.at_most_one(&FORMS, "give the motion in one way only")? else {
         return Err(table.missing("axis", "axis = [0, 0, 1] and rate = \"3 rad/s\""));
     };
     if let Some(spin) = &start.spin {
@@ -65,7 +65,7 @@ pub(crate) fn prescribed(
 /// Refuses the keys of other forms.
 fn belongs(table: &Table<'_>, form: &'static str) -> Result<(), FormatError> {
     let (others, rule): (&[&'static str], _) = match form {
-        "axis" => (&["rates", "columns"], "rates are those of euler313"),
+        "axis" => (&["rates", "columns"], "rates belong to euler313"),
         "euler313" => (&["rate", "acceleration", "columns"], "Euler angles change by their rates"),
         "table" => (&["rate", "acceleration", "rates"], "the table is the motion"),
         _ => (&["rate", "acceleration", "rates", "columns"], "the formulas are the motion"),
@@ -91,7 +91,7 @@ fn fixed_axis(table: &Table<'_>, form: &Value<'_>, attitude: Attitude) -> Result
     let acceleration = acceleration.map_or(Ok(0.0), |a| a.quantity(Dimension::ANGULAR_ACCELERATION))?;
     let axis = Direction::from_array(form.numbers()?);
     Prescribed::fixed_axis(attitude, axis, rate, acceleration)
-        .map_err(|e| form.motion(e).with_hint("the z axis is [0, 0, 1]; any length will do"))
+        .map_err(|e| form.motion(e).with_hint("the z axis is [0, 0, 1]; its length does not matter"))
 }
 
 fn euler_rates(table: &Table<'_>, form: &Value<'_>) -> Result<Prescribed, FormatError> {
@@ -109,7 +109,7 @@ fn omega(
 ) -> Result<Prescribed, FormatError> {
     let table = form.table()?;
     table.allow(&["body", "space"])?;
-    let Some(given) = table.at_most_one(&["body", "space"], "ω is given once")? else {
+    let Some(given) = table.at_most_one(&["body", "space"], "give ω in one way only")? else {
         return Err(table.missing("body", "omega = { body = [\"0\", \"0\", \"2*t\"] }"));
     };
     let axes = if given.key() == "body" { RateAxes::Body } else { RateAxes::Space };
@@ -161,8 +161,7 @@ fn formulas<const N: usize>(
                 code: "prescribed.corner",
                 severity: Severity::Info,
                 message: format!(
-                    "{function} in a formula of the motion: at its corner ω jumps or bends, and no sample shows the torque of \
-                     that moment"
+                    "{function} in a formula of the motion: ω jumps or has a corner there, and no sample shows the torque at that time"
                 ),
                 place: None,
             });
@@ -176,7 +175,7 @@ fn covers(motion: &Prescribed, form: &Value<'_>, end: f64) -> Result<(), FormatE
     match motion.span() {
         Some([first, last]) if end > 0.0 && (first > 0.0 || last < end) => {
             let rule = format!("as long as the run, 0 to {end} s: it is from {first} to {last} s");
-            Err(form.invalid(rule).with_hint("shorten the duration of [run], or give more of the motion"))
+            Err(form.invalid(rule).with_hint("shorten the duration of [run], or extend the table"))
         }
         _ => Ok(()),
     }

@@ -21,11 +21,11 @@ pub(crate) fn run(root: &Table<'_>, orbit: Option<&Orbit>) -> Result<Option<Run>
     if (root.get("prescribed").is_some() || root.get("shaft").is_some())
         && let Some(value) = ["method", "tolerance", "order", "step"].iter().find_map(|key| table.get(key))
     {
-        let hint = "a prescribed motion is given, not computed: nothing depends on it";
+        let hint = "a prescribed motion is not computed, so this has no effect";
         return Err(value.invalid("left out").with_hint(hint));
     }
     let duration = time(&table.require("duration", "duration = \"20 s\"")?, orbit)?;
-    let given = table.at_most_one(&["samples", "every"], "each of them alone says when to sample")?;
+    let given = table.at_most_one(&["samples", "every"], "both define the sample times")?;
     let method = method(&table)?;
     let tolerance = table.get("tolerance").map_or(Ok(TOLERANCE), |value| tolerance(&value))?;
     Ok(Some(match given {
@@ -73,7 +73,7 @@ fn time(value: &Value<'_>, orbit: Option<&Orbit>) -> Result<f64, FormatError> {
         return Err(value.invalid("a time, since there is no [orbit]").with_hint(hint));
     };
     let Some(period) = orbit.period() else {
-        let rule = "a time: a parabola or a hyperbola is not run through twice";
+        let rule = "a time: a parabolic or hyperbolic orbit has no period";
         return Err(value.invalid(rule).with_hint("write duration = \"3 h\""));
     };
     let count = unit::parse(number, Dimension::NONE);
@@ -108,7 +108,7 @@ fn sampled_every(duration: f64, value: &Value<'_>, orbit: Option<&Orbit>) -> Res
 
 fn too_many(value: &Value<'_>) -> FormatError {
     let rule = format!("such that there are at most {} samples", times::MOST);
-    value.invalid(rule).with_hint("all samples are held in memory: sample less often, or run in pieces")
+    value.invalid(rule).with_hint("all samples are held in memory: use a longer interval, or divide the run")
 }
 
 /// Reads the method and its own keys. A method with fixed steps has no tolerance, and only it has
@@ -119,7 +119,7 @@ fn method(table: &Table<'_>) -> Result<Method, FormatError> {
     let name = named.transpose()?.unwrap_or("auto");
     if name == "splitting" {
         if let Some(value) = table.get("tolerance") {
-            let hint = "splitting has steps of one length: step = \"10 ms\" says how long";
+            let hint = "splitting uses a fixed step: write step = \"10 ms\"";
             return Err(value.invalid("left out of a run by splitting").with_hint(hint));
         }
         let order = table.get("order").map_or(Ok(SplittingOrder::default()), |value| order(&value))?;
@@ -127,7 +127,7 @@ fn method(table: &Table<'_>) -> Result<Method, FormatError> {
         return Ok(Method::Splitting { order, step });
     }
     if let Some(value) = table.get("order").or_else(|| table.get("step")) {
-        let hint = "other methods choose their steps by the tolerance: write method = \"splitting\" with it";
+        let hint = "other methods choose their steps from the tolerance: add method = \"splitting\"";
         return Err(value.invalid("left out without method = \"splitting\"").with_hint(hint));
     }
     Ok(match name {

@@ -18,17 +18,19 @@ pub(crate) fn shaft(
     let table = value.table()?;
     table.allow(&["axis", "point", "bearings", "rate", "acceleration", "gravity", "balance"])?;
     if let Some(spin) = &start.spin {
-        return Err(spin.invalid("left out, since the shaft turns at its rate").with_hint("leave out spin"));
+        return Err(spin
+            .invalid("left out, since the shaft rotates at its rate")
+            .with_hint("leave out spin"));
     }
     if scenario.pivot().is_some() {
-        let rule = "given without a pivot of the body: its bearings hold it";
+        let rule = "given without a pivot of the body: the bearings hold the shaft";
         return Err(value.invalid(rule).with_hint("leave out pivot: the shaft's point holds the body"));
     }
     if start.velocity.is_some()
         && let Some(velocity) = root.get("start").and_then(|start| start.table().ok()?.get("velocity"))
     {
         let rule = "left out, since the bearings hold the body";
-        return Err(velocity.invalid(rule).with_hint("a shaft only turns"));
+        return Err(velocity.invalid(rule).with_hint("a shaft only rotates"));
     }
     let axis = table.require("axis", "axis = [0, 0, 1]")?;
     let point = table.get("point").map_or(Ok([0.0; 3]), |point| point.quantities(Dimension::LENGTH))?;
@@ -38,7 +40,7 @@ pub(crate) fn shaft(
     let direction = Direction::from_array(axis.numbers()?);
     if direction.direction().is_none() {
         let rule = "a direction: finite and not zero";
-        return Err(axis.invalid(rule).with_hint("the z axis is [0, 0, 1]; any length will do"));
+        return Err(axis.invalid(rule).with_hint("the z axis is [0, 0, 1]; its length does not matter"));
     }
     let shaft =
         Shaft::new(*scenario.body(), point, direction, places).map_err(|error| bearings.motion(error))?;
@@ -63,7 +65,9 @@ fn balance(value: &Value<'_>, shaft: &Shaft) -> Result<Vec<[f64; 2]>, FormatErro
     let sizes = radii.elements("an array of one or two lengths")?;
     if !(1..=2).contains(&places.len()) {
         let rule = "one plane, or two";
-        return Err(planes.invalid(rule).with_hint("one takes the static unbalance, two all of it"));
+        return Err(planes
+            .invalid(rule)
+            .with_hint("one plane corrects the static unbalance, two planes the whole unbalance"));
     }
     if sizes.len() != places.len() {
         return Err(radii.invalid("as many as there are planes").with_hint("each plane has its radius"));

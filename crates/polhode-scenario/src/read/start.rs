@@ -43,7 +43,7 @@ pub(crate) fn start<'a>(
             })?;
             if let Some(given) = start.spin.or(start.attitude).filter(|_| root.get("prescribed").is_some()) {
                 let hint = "a prescribed motion has its own start: leave out relative_to";
-                return Err(given.invalid("left out beside [prescribed]").with_hint(hint));
+                return Err(given.invalid("left out with [prescribed]").with_hint(hint));
             }
             start.state = on_orbit(&start, orbit)?;
         }
@@ -58,13 +58,13 @@ pub(crate) fn start<'a>(
     }
     if let Some(value) = table.get("velocity") {
         if orbit.is_some() {
-            let rule = "left out, since [orbit] says how the centre of mass moves";
+            let rule = "left out, since [orbit] defines the motion of the centre of mass";
             return Err(value.invalid(rule).with_hint("write position and velocity under [orbit]"));
         }
         start.velocity = Some(Velocity::from_array(value.quantities(Dimension::VELOCITY)?));
         if rotor.is_pivoted() {
             let rule = "left out, since a point of the body is held at a pivot";
-            return Err(value.invalid(rule).with_hint("a held body only turns: give its spin"));
+            return Err(value.invalid(rule).with_hint("a body with a pivot only rotates: give its spin"));
         }
     }
     Ok(start)
@@ -92,7 +92,8 @@ fn on_orbit(start: &Start<'_>, orbit: &Orbit) -> Result<State, FormatError> {
 fn spin(value: &Value<'_>, attitude: Attitude, rotor: &Rotor) -> Result<AngularVelocity<Body>, FormatError> {
     let table = value.table()?;
     table.allow(&["body", "space", "momentum"])?;
-    let Some(given) = table.at_most_one(&["body", "space", "momentum"], "the spin is given once")? else {
+    let Some(given) = table.at_most_one(&["body", "space", "momentum"], "give the spin in one way only")?
+    else {
         return Err(table.missing("body", "{ body = [\"0 rad/s\", \"0 rad/s\", \"12 rad/s\"] }"));
     };
     Ok(match given.key() {

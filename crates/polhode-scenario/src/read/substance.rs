@@ -33,7 +33,7 @@ pub(crate) fn matter<'a>(table: &Table<'a>, extent: Extent) -> Result<(Matter, V
     }
     if let Some(tolerance) = table.get("density_tolerance") {
         return Err(tolerance
-            .invalid("left out where the density is no formula")
+            .invalid("left out unless the density is a formula")
             .with_hint("write density = \"2700*(1 + 0.1*x)\", or leave out density_tolerance"));
     }
     let (substance, given) = substance(table, extent)?;
@@ -42,7 +42,7 @@ pub(crate) fn matter<'a>(table: &Table<'a>, extent: Extent) -> Result<(Matter, V
 
 const KINDS: [&str; 3] = ["density", "mass", "material"];
 
-const ALONE: &str = "each of them alone says how heavy the part is";
+const ALONE: &str = "each of them alone defines the mass of the part";
 
 /// Reads a uniform substance of a part of this extent; returns it with the value that gives it.
 ///
@@ -58,7 +58,7 @@ fn substance<'a>(table: &Table<'a>, extent: Extent) -> Result<(Substance, Value<
     };
     let thickness = table.get("thickness");
     if given.key() == "mass" {
-        table.at_most_one(&["mass", "thickness"], "the mass alone says how heavy the part is")?;
+        table.at_most_one(&["mass", "thickness"], "the mass alone is sufficient")?;
     }
     let thickness = thickness.map(|t| t.positive(Dimension::LENGTH)).transpose()?;
     let substance = match (given.key(), extent, thickness) {
@@ -69,21 +69,20 @@ fn substance<'a>(table: &Table<'a>, extent: Extent) -> Result<(Substance, Value<
         }
         ("density", Extent::Area(_), None) => {
             let hint =
-                "a thin part has a density per area: add its thickness = \"2 mm\", and it may be per volume";
+                "a thin part has a density per area; with thickness = \"2 mm\" the density is per volume";
             Substance::AreaDensity(density(&given, Dimension::AREA_DENSITY, hint)?)
         }
         ("density", Extent::Area(_), Some(t)) => {
             let hint =
-                "with a thickness, the density is per volume: leave out the thickness, and it is per area";
+                "with a thickness the density is per volume; without it, per area: leave out the thickness";
             Substance::AreaDensity(density(&given, Dimension::DENSITY, hint)? * t)
         }
         (_, Extent::Volume(_), _) => Substance::Density(material(&given)?.density),
         (_, Extent::Area(_), Some(t)) => Substance::AreaDensity(material(&given)?.density * t),
         (_, Extent::Area(_), None) => {
             material(&given)?;
-            return Err(
-                table.missing("thickness", "thickness = \"2 mm\": a material has a density per volume")
-            );
+            return Err(table
+                .missing("thickness", "thickness = \"2 mm\", because a material has a density per volume"));
         }
         (_, Extent::Length(_), _) => {
             material(&given)?;

@@ -88,16 +88,18 @@ impl Target {
     /// Adds another number that always gets the same value.
     pub fn joined(mut self, other: Self, key: &Value<'_>) -> Result<Self, FormatError> {
         if self.overlaps(&other) {
-            return Err(key.invalid("another number than those before it").with_hint("leave it out"));
+            return Err(key.invalid("different from the numbers before it").with_hint("leave it out"));
         }
         if self.dimension != other.dimension {
             let rule = format!("{}, as {} is", self.dimension, self.key);
-            return Err(key.invalid(rule).with_hint("what varies as one measures the same"));
+            return Err(key
+                .invalid(rule)
+                .with_hint("numbers that vary together must have the same dimension"));
         }
         if self.nominal != other.nominal {
-            let hint = "numbers that vary as one are written as one: give both the same value";
+            let hint = "numbers that vary together must have the same written value";
             let value = self.nominal.first().copied().unwrap_or_default();
-            return Err(key.invalid(format!("of the value that {} has, {value}", self.key)).with_hint(hint));
+            return Err(key.invalid(format!("equal to {}, {value}", self.key)).with_hint(hint));
         }
         if let (Varied::Numbers(mine), Varied::Numbers(theirs)) = (&mut self.varied, other.varied) {
             mine.iter_mut().zip(theirs).for_each(|(mine, theirs)| mine.extend(theirs));
@@ -113,7 +115,7 @@ impl Target {
     /// Adds another number that gets a value of its own.
     pub fn beside(mut self, other: Self, key: &Value<'_>) -> Result<Self, FormatError> {
         if self.overlaps(&other) {
-            return Err(key.invalid("another number than those before it").with_hint("leave it out"));
+            return Err(key.invalid("different from the numbers before it").with_hint("leave it out"));
         }
         let named = |name: &str| self.columns.iter().any(|column| column.name == name);
         if let Some(twice) = other.columns.iter().find(|column| named(&column.name)) {
@@ -163,7 +165,7 @@ impl Catalogue<'_> {
                 Kind::Table(entries) => entries.keys().next().map(|inner| format!(".{inner}")),
                 _ => Some("[0]".to_owned()),
             };
-            let error = key.invalid("one number of the scenario, not several");
+            let error = key.invalid("a single number of the scenario");
             let hint = format!("write key = \"{}{}\"", key.string()?, inside.unwrap_or_default());
             return Err(error.with_hint(hint));
         }
@@ -318,8 +320,8 @@ impl Catalogue<'_> {
         match node.known.get() {
             Some(Known::Number(value, dimension)) => Ok((*value, *dimension)),
             _ => Err(key
-                .invalid("a number of the scenario: words, formulas and whole numbers do not vary")
-                .with_hint("a formula may stand for a number: write that number without quotes, in SI")),
+                .invalid("a number of the scenario: words, formulas and counts cannot vary")
+                .with_hint("if it is a constant formula, write the number without quotes, in SI units")),
         }
     }
 }

@@ -36,14 +36,14 @@ pub(crate) fn tensor(table: &Table<'_>) -> Result<InertiaTensor<Part>, FormatErr
 
 /// Reads `inertia` or `moments`.
 fn matrix<'a>(table: &Table<'a>) -> Result<(Value<'a>, Matrix<'a>), FormatError> {
-    let given = table.at_most_one(&["inertia", "moments"], "each of them alone is the whole tensor")?;
+    let given = table.at_most_one(&["inertia", "moments"], "each of them alone defines the tensor")?;
     let Some(given) = given else {
         return Err(
             table.missing("inertia", "moments = [\"1 kg m^2\", \"2 kg m^2\", \"2.5 kg m^2\"], or a matrix")
         );
     };
     if given.key() == "moments" {
-        table.at_most_one(&["moments", "products"], "principal moments have no products")?;
+        table.at_most_one(&["moments", "products"], "with principal moments the products are zero")?;
     }
     Ok((given, Matrix::read(table, &given)?))
 }

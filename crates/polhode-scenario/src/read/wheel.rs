@@ -38,7 +38,7 @@ fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
     table.allow(&["name", "axis", "momentum", "inertia", "speed", "motor_torque", "from", "until"])?;
     let axis = table.require("axis", "axis = [0, 0, 1]")?;
     let direction = Direction::from_array(axis.numbers()?);
-    let rule = "each of them alone says how much angular momentum the wheel starts with";
+    let rule = "each of them alone defines the initial angular momentum of the wheel";
     let Some(start) = table.at_most_one(&["momentum", "speed"], rule)? else {
         return Err(match table.get("inertia") {
             Some(_) => table.missing("speed", "speed = \"600 rpm\""),
@@ -51,7 +51,7 @@ fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
         && motor_torque.is_none()
         && let Some(value) = table.get("inertia")
     {
-        let hint = "with momentum and without motor_torque, nothing depends on it";
+        let hint = "with momentum and without motor_torque it has no effect";
         return Err(value.invalid("left out").with_hint(hint));
     }
     // Without speed or motor torque the inertia is not needed, and errors refer to the axis.
@@ -67,8 +67,9 @@ fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
     };
     let motor = motor(table, motor_torque, inertia)?;
     // Errors in the axis or the sizes are reported at their places.
-    Wheel::new(direction, 0.0, motor)
-        .map_err(|error| axis.motion(error).with_hint("the z axis is [0, 0, 1]; any length will do"))?;
+    Wheel::new(direction, 0.0, motor).map_err(|error| {
+        axis.motion(error).with_hint("the z axis is [0, 0, 1]; its length does not matter")
+    })?;
     let name = table.get("name").map(|name| name.string().map(str::to_owned)).transpose()?;
     let wheel = WheelTable { name, axis: direction, given, motor, value };
     wheel.locked().map_err(|error| start.motion(error))?;
@@ -88,7 +89,7 @@ fn motor(table: &Table<'_>, torque: Option<Value<'_>>, inertia: f64) -> Result<M
     let times = ["from", "until"].map(|key| table.get(key));
     let Some(torque) = torque else {
         let Some(value) = times.iter().flatten().next() else { return Ok(Motor::HeldSpeed) };
-        let hint = "it is the time of a motor_torque; without one the wheel's speed is held";
+        let hint = "it limits the time of motor_torque; without motor_torque the wheel's speed is constant";
         return Err(value.invalid("left out").with_hint(hint));
     };
     let size = torque.quantity(Dimension::TORQUE)?;
@@ -97,8 +98,8 @@ fn motor(table: &Table<'_>, torque: Option<Value<'_>>, inertia: f64) -> Result<M
     let first = from.as_ref().map_or(Ok(f64::NEG_INFINITY), time)?;
     let last = until.as_ref().map_or(Ok(f64::INFINITY), time)?;
     if let Some(value) = until.filter(|_| !(last > first.max(0.0))) {
-        let hint = "a run starts at 0; the motor works from `from`, else from then, until `until`";
-        return Err(value.invalid("later than the start of the motor's work").with_hint(hint));
+        let hint = "a run starts at 0; the motor works from `from` (default: 0) until `until`";
+        return Err(value.invalid("later than the start of the motor").with_hint(hint));
     }
     let always = from.is_none() && until.is_none();
     let window = || Schedule::window(first, last).map_err(|error| torque.motion(error));
@@ -148,12 +149,8 @@ fn fitted<'a>(
 ) -> Result<(Rotor, Vec<Wheel>), FormatError> {
     let (mut wheels, mut with) = (Vec::new(), rotor.clone());
     for table in tables {
-        let refuse = |error| {
-            table
-                .value
-                .motion(error)
-                .with_hint("the inertia of [body] holds that of the wheels, as if they were locked")
-        };
+        let refuse =
+            |error| table.value.motion(error).with_hint("the inertia of [body] includes the locked wheels");
         wheels.push(wheel(table).map_err(refuse)?);
         // The inertia of a held wheel is part of the body's. Treating the wheel as free checks that it
         // does not exceed that of the body.

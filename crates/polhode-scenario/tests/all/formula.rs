@@ -118,11 +118,11 @@ fn what_is_neither_is_named() {
     refused(&density("2.7 g/cm3m"), "cm3m", "");
     refused(&density("5 kg/m^2"), "is a mass per area where a density belongs", "");
     let thin = "[[body.part]]\nshape = 'disk'\nradius = 1\ndensity = '3*(1 + x)'\n";
-    refused(thin, "a formula is for a solid", "make it a box");
+    refused(thin, "one number for a thin shell,", "make it a box");
     refused(&format!("{BOX}density = '2700*(1 + x)'\nmass = 1\n"), "both given", "");
     refused(
         &format!("{BOX}mass = 1\ndensity_tolerance = 1e-6\n"),
-        "left out where the density is no formula",
+        "left out unless the density is a formula",
         "",
     );
     refused(&format!("{BOX}density = '2700*(1 + x)'\ndensity_tolerance = 2\n"), "from 1e-14 to 0.1", "");

@@ -96,11 +96,11 @@ fn each_mistake_has_its_place() {
         ("outer = { rest = '3 deg' }", "left out without spring"),
         ("outer = { locked = true, rate = 3 }", "left out with locked = true"),
         ("outer = { locked = true, damping = 3 }", "left out with locked = true"),
-        ("outer = { locked = true, driven = true, rate = 3 }", "a lock keeps the angle"),
+        ("outer = { locked = true, driven = true, rate = 3 }", "a lock fixes the angle"),
         ("rotor = { driven = true }", "rate"),
         ("inner = { angle = '90 deg' }", "the angle of the inner gimbal"),
         ("base = { latitude = '91 deg' }", "the latitude of the base"),
-        ("base = { latitude = '9 deg', rate = [0, 0, 1] }", "either says how the base turns"),
+        ("base = { latitude = '9 deg', rate = [0, 0, 1] }", "both define the rotation of the base"),
         ("base = { }", "latitude"),
         ("rotor_axis = [0, 0, 0]", "a direction: finite and not zero"),
         ("outer = { center_of_mass = [0, 0, 1], moments = [1, 1, 1] }", "mass"),
@@ -121,7 +121,7 @@ fn each_mistake_has_its_place() {
 #[test]
 fn what_does_not_go_with_gimbals_is_refused() {
     let with = |more: &str| format!("{BODY}[gimbals]\n{AXES}{more}\n{RUN}");
-    refused(&with("[start]\nspin = { body = [0, 0, 1] }"), "the angles and rates of the axes say");
+    refused(&with("[start]\nspin = { body = [0, 0, 1] }"), "the start of a rotor in gimbals is defined");
     refused(
         &with("[[torque]]\nmodel = 'gravity'\npivot = [0, 0, 0]"),
         "gravity and what acts about the three axes",
@@ -129,8 +129,8 @@ fn what_does_not_go_with_gimbals_is_refused() {
     refused(&with("[[event]]\nmeasure = 'time'\nvalue = 1"), "events are looked for");
     refused(&with("[orbit]\naltitude = '500 km'"), "their base");
     refused(&with("[[wheel]]\naxis = [0, 0, 1]\nmomentum = 1"), "the rotor is one rigid body");
-    refused(&with("[sweep]\nmembers = 3"), "no column of a dataset");
+    refused(&with("[sweep]\nmembers = 3"), "sweeps have no outcomes");
     refused(&with("").replace("samples = 5", "samples = 5\nmethod = 'dop853'"), "\"auto\" or \"taylor\"");
     let held = with("").replace("[gimbals]", "[body]\npivot = [0, 0, 0]\n[gimbals]");
-    refused(&held, "left out beside [gimbals]");
+    refused(&held, "left out with [gimbals]");
 }

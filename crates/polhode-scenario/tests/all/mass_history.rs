@@ -197,7 +197,7 @@ fn tables_that_make_no_sense_are_refused() {
         (format!("{HEADER}\n"), "", "mass.csv: the file has no rows"),
         (HEADER.replace("center_z_m,", ""), "", "column center_z_m"),
         (format!("{HEADER},mass_rate_kg_s\n"), "", "column center_rate_x_m_s"),
-        (table(&line(-1.0, &body, 1.0)), "", "not before that of the row before"),
+        (table(&line(-1.0, &body, 1.0)), "", "not before the time of the previous row"),
         (table(&first.replacen('0', "5", 1).replacen("5.8", "-5.8", 1)), "", "mass"),
         (table("5,6"), "", "fields long"),
         (format!("{HEADER},mass_rate_kg_per_s\n{first},1\n"), "", "one of a mass history's"),
@@ -206,10 +206,10 @@ fn tables_that_make_no_sense_are_refused() {
         (
             format!("{HEADER}\n{}\n{}\n", line(-2.0, &body, 1.0), line(2.0, &half(&body), 1.0)),
             EXIT,
-            "the [body] at t = 0",
+            "a table that agrees",
         ),
         // The wrong sign shows, as the body is said twice.
-        (format!("{HEADER}\n{}\n", line(0.0, &body, -1.0)), "", "the [body] at t = 0"),
+        (format!("{HEADER}\n{}\n", line(0.0, &body, -1.0)), "", "a table that agrees"),
         (
             table(&first),
             "in_place = true\n[[mass_history.burn]]\npart = 'hull'\nuntil = 2\n",
@@ -230,7 +230,7 @@ fn mistakes_have_their_places() {
             burn.to_owned(),
             "[[mass_history.burn]]",
             "loses mass, and nothing says where",
-            "say where it leaves",
+            "state where the mass",
         ),
         (
             burn.replace("grain", "grian") + EXIT,
@@ -238,7 +238,7 @@ fn mistakes_have_their_places() {
             "the name of a part",
             "did you mean \"grain\"?",
         ),
-        (format!("{burn}{burn}{EXIT}"), "part = 'grain'", "named in one burn", ""),
+        (format!("{burn}{burn}{EXIT}"), "part = 'grain'", "named in one burn only", ""),
         (
             burn.replace("until", "from = '6 s'\nuntil") + EXIT,
             "until = '5 s'",
@@ -249,7 +249,7 @@ fn mistakes_have_their_places() {
         (
             burn.replace("until", "left = '2 kg'\nuntil") + EXIT,
             "left = '2 kg'",
-            "less than what there is, 2 kg",
+            "less than the available mass, 2 kg",
             "",
         ),
         (drop.replace("'3 s'", "0"), "time = 0", "after the start", ""),
@@ -277,8 +277,8 @@ fn mistakes_have_their_places() {
         (
             format!("{burn}{EXIT}axis = [0, 0, 1]\n"),
             "axis = [0, 0, 1]",
-            "left out, as there is no radius",
-            "an exit without one",
+            "left out, because the exit has no radius",
+            "an exit without a radius",
         ),
         (
             format!("{burn}{EXIT}radius = '2 cm'\n"),

@@ -96,7 +96,7 @@ fn what_is_no_formula_and_no_motion_is_refused() {
     );
     refuses(
         "[prescribed]\naxis = [0, 0, 1]\nrate = 1\nangles = [1, 0, 0]",
-        "axis and angles are both given: the motion is given once",
+        "axis and angles are both given: give the motion in one way only",
         "leave one",
     );
     refuses(
@@ -232,7 +232,11 @@ fn a_shaft_that_cannot_be_is_refused() {
     refuses(&SHAFT.replace("rate = '60 rpm'\n", ""), "the key rate is missing in [shaft]", "write rate");
     let balance =
         |planes: &str, radii: &str| format!("{SHAFT}balance = {{ planes = {planes}, radii = {radii} }}");
-    refuses(&balance("[0, 1, 2]", "[1, 1, 1]"), "planes = [0, 1, 2] must be one plane, or two", "one takes");
+    refuses(
+        &balance("[0, 1, 2]", "[1, 1, 1]"),
+        "planes = [0, 1, 2] must be one plane, or two",
+        "one plane corrects",
+    );
     refuses(&balance("[0, 1]", "[1]"), "radii = [1] must be as many as there are planes", "each plane");
     refuses(&balance("[1, 1]", "[1, 1]"), "the distance between the planes = 0 must be", "");
     refuses(&balance("[0, 1]", "[1, 0]"), "radii = 0 must be positive", "a size has no sign");

@@ -62,13 +62,16 @@ fn a_table_lasts_as_long_as_it_acts() {
     let folder = Folder::new("span");
     let short = "time_s,torque_x_n_m,torque_y_n_m,torque_z_n_m\n0.5,1,0,0\n3,1,0,0\n";
     let error = folder.read(short, LINEAR).unwrap_err();
-    assert!(error.message().contains("as long as it acts, 0 to 4 s: it is from 0.5 to 3 s"), "{error}");
+    assert!(
+        error.message().contains("defined while the torque acts, from 0 to 4 s; it covers 0.5 to 3 s"),
+        "{error}"
+    );
     assert!(error.place().is_some());
     // The hint is what makes it right, as the next line has it.
     assert!(error.hint().unwrap().ends_with(r#"from = "0.5 s", until = "3 s""#), "{:?}", error.hint());
     assert!(folder.read(short, &format!("{LINEAR}from = '0.5 s'\nuntil = '3 s'\n")).is_ok());
     let late = short.replace("0.5,", "30,").replace("\n3,", "\n40,");
-    assert!(folder.read(&late, LINEAR).unwrap_err().hint().unwrap().ends_with("at the times of the run"));
+    assert!(folder.read(&late, LINEAR).unwrap_err().hint().unwrap().ends_with("none is within the run"));
     assert!(folder.read(short, &format!("{LINEAR}from = '0.5 s'\n")).is_err());
     let pulses = "pulses = { first = '1 s', width = '0.1 s', period = '1 s', count = 2 }\n";
     assert!(folder.read(short, &format!("{LINEAR}{pulses}")).is_err());

@@ -60,7 +60,7 @@ fn alike<'a>(
     let texts = nodes.iter().filter_map(|node| text(node));
     let Some((bare, with)) = bare_beside_units(texts) else { return Ok(()) };
     let Some(node) = nodes.iter().find(|node| text(node) == Some(bare)) else { return Ok(()) };
-    let rule = format!("given with its unit, as \"{}\" beside it is", cut(with));
+    let rule = format!("given with its unit, like the other element \"{}\"", cut(with));
     let value = cut(source.text.get(node.span.clone()).unwrap_or(bare));
     let error =
         source.error(node.span.clone(), FormatErrorKind::Value { key: key_of(node).to_owned(), value, rule });

@@ -59,21 +59,21 @@ fn numbers_that_cannot_be_one_are_refused() {
     refuses(
         &with("['body.part[0].mass', 'start.spin.body[1]']"),
         "a mass, as body.part[0].mass is",
-        "measures the same",
+        "numbers that vary",
     );
     refuses(
         &with("['start.spin.body[0]', 'start.spin.body[1]']"),
-        "of the value that start.spin.body[0] has",
+        "equal to start.spin.body[0]",
         "same value",
     );
-    refuses(&with("['body.part[0].mass', 'body.part[0].mass']"), "another number", "leave it out");
+    refuses(&with("['body.part[0].mass', 'body.part[0].mass']"), "different from", "leave it out");
     refuses(&with("['body.part[0].mass']"), "one key, or an array", "write key");
     let rotations = "[sweep]\nmembers = 8\nsampling = 'monte carlo'\n[[sweep.vary]]\nkey = ['body', 'body.part[0]']\ndispersion = '10 %'\n";
     refuses(rotations, "one key", "its own key");
     // Each part is dispersed already.
     let twice = with("['body.part[0].mass', 'body.part[1].mass']")
         + "[[sweep.vary]]\nkey = 'body.part[1]'\ndispersion = '10 %'\n";
-    refuses(&twice, "something else than what varies", "varies once");
+    refuses(&twice, "a number that does not already vary", "varies once");
 }
 
 #[test]

@@ -54,7 +54,7 @@ pub(crate) fn ground(value: Option<&Value<'_>>) -> Result<Ground, FormatError> {
 /// Returns the normal of a plane; else the axis, which is required for a cylinder, and is the
 /// rotation axis of a sphere.
 fn axis(table: &Table<'_>, kind: &str) -> Result<Direction<Space>, FormatError> {
-    let given = table.at_most_one(&["normal", "slope"], "either says how the plane lies")?;
+    let given = table.at_most_one(&["normal", "slope"], "both define the inclination of the plane")?;
     let given = match kind {
         "cylinder" => Some(table.require("axis", "axis = [0, 1, 0]")?),
         "sphere" => table.get("axis"),
@@ -66,7 +66,7 @@ fn axis(table: &Table<'_>, kind: &str) -> Result<Direction<Space>, FormatError> 
         if slope.abs() >= std::f64::consts::FRAC_PI_2 {
             return Err(given
                 .invalid("between -90 and 90 deg")
-                .with_hint("it goes down towards +x; other planes have a normal = [0, 0, 1]"));
+                .with_hint("the plane descends towards +x; for other directions write normal = [0, 0, 1]"));
         }
         return Ok(Direction::new(slope.sin(), 0.0, slope.cos()));
     }
@@ -94,7 +94,7 @@ pub(crate) fn touched(
     };
     let Some(down) = down.direction() else {
         let error = table.missing("at", "at = [\"0 m\", \"0 m\", \"-0.5 m\"]");
-        return Err(error.with_hint("gravity does not say which point of the ground is lowest: write at"));
+        return Err(error.with_hint("gravity does not determine the lowest point of the ground: write at"));
     };
     let reach = if side == GroundSide::Inside { radius } else { -radius };
     Ok(Position::from_array((down * reach).to_array()))

@@ -41,8 +41,8 @@ fn friction(table: &Table<'_>) -> Result<ContactLaw, FormatError> {
         Some(value) => match not_negative(&value, Dimension::NONE)? {
             sticking if sticking >= kinetic => sticking,
             _ => {
-                let rule = format!("not below friction = {kinetic}, that of what slips");
-                return Err(value.invalid(rule).with_hint("leave it out where both are the same"));
+                let rule = format!("at least the kinetic coefficient, friction = {kinetic}");
+                return Err(value.invalid(rule).with_hint("leave it out if both are equal"));
             }
         },
     };

@@ -47,7 +47,7 @@ pub(crate) fn contact<'a>(
     if let (SurfaceShape::Cylinder { .. }, GroundShape::Sphere { .. }, Some(value)) =
         (surface.shape(), ground.shape(), &of_ground)
     {
-        let hint = "a cylinder touches along a line: on a sphere it would stand on its ends, or on a point of its side";
+        let hint = "a cylinder touches the ground along a line: it needs a plane or a cylinder as its ground";
         return Err(value
             .invalid("a plane or a cylinder under a surface of shape \"cylinder\"")
             .with_hint(hint));
@@ -77,7 +77,7 @@ fn start_velocity(
             None if never_slips => Ok(StartVelocity::Rolling),
             None => {
                 let error = table.missing("rolls", "rolls = true");
-                Err(error.with_hint("write rolls = true for a start that rolls, or under [start] the velocity of the centre of mass"))
+                Err(error.with_hint("write rolls = true for a rolling start, or give the velocity of the centre of mass under [start]"))
             }
         };
     };
@@ -89,13 +89,13 @@ fn start_velocity(
         (true, Some(_)) => {
             let start = root.get("start").map(|start| start.table()).transpose()?;
             let velocity = start.and_then(|start| start.get("velocity")).unwrap_or(given);
-            let hint = "what rolls moves as its spin says: leave out velocity, or rolls";
+            let hint = "the velocity of a rolling body follows from its spin: leave out velocity or rolls";
             Err(velocity.invalid("left out with rolls = true").with_hint(hint))
         }
         (false, Some(velocity)) => Ok(StartVelocity::Along(velocity)),
-        (false, None) => Err(given
-            .invalid("true, unless [start] has a velocity")
-            .with_hint("under [start] write velocity = [\"0.2 m/s\", 0, 0], that of the centre of mass")),
+        (false, None) => Err(given.invalid("true, unless [start] has a velocity").with_hint(
+            "under [start] write velocity = [\"0.2 m/s\", 0, 0], the velocity of the centre of mass",
+        )),
     }
 }
 
@@ -107,8 +107,8 @@ impl OnGround<'_> {
         pivot: Option<Value<'_>>,
     ) -> Result<Scenario, FormatError> {
         if let Some(pivot) = pivot {
-            let hint = "the body is held at its point of contact alone: leave out the pivot, or [contact]";
-            return Err(pivot.invalid("left out beside [contact]").with_hint(hint));
+            let hint = "a body on the ground has no pivot: leave out the pivot or [contact]";
+            return Err(pivot.invalid("left out with [contact]").with_hint(hint));
         }
         let method = scenario.run().map_or(Method::Auto, |run| run.method);
         if !matches!(method, Method::Auto | Method::Taylor) {

@@ -13,7 +13,7 @@ const PLACES: [(&str, &str, &str, &str); 17] = [
         "the height of the point of contact above the ground",
         "contact",
         "at",
-        "at is a point of the ground: of a plane one with n · x = 0, of a sphere or a cylinder one at its radius",
+        "at must be a point of the ground: on a plane n · x = 0; on a sphere or cylinder at its radius",
     ),
     ("the point of contact from the axis of the ground", "contact", "at", ""),
     ("the point of contact", "contact", "at", ""),
@@ -23,14 +23,14 @@ const PLACES: [(&str, &str, &str, &str); 17] = [
         "the slip at the start",
         "start",
         "velocity",
-        "leave velocity out with law = \"rolling\", or write law = \"friction\" for what slips",
+        "leave out velocity with law = \"rolling\", or write law = \"friction\" for a slipping body",
     ),
     ("the least principal moment about the centre of mass", "body", "part", "give the body a thickness"),
     (
-        "the distance of the centre of mass from that of the surface",
+        "the distance of the centre of mass from the centre of the surface",
         "contact",
         "surface",
-        "its position is that of its centre, in body axes",
+        "its position is the position of its centre, in body axes",
     ),
     ("the radius of the ground", "contact", "ground", ""),
     (
@@ -41,13 +41,13 @@ const PLACES: [(&str, &str, &str, &str); 17] = [
     ),
     ("the angular velocity of a cylinder across its axis", "start", "spin", ""),
     (
-        "the tilt of a cylinder that lies",
+        "the tilt of a lying cylinder",
         "start",
         "attitude",
-        "the z axis of the surface is the cylinder's: attitude = { axis = [1, 0, 0], angle = \"90 deg\" } lays it along y",
+        "the z axis of the surface is the cylinder axis: attitude = { axis = [1, 0, 0], angle = \"90 deg\" } lays it along y",
     ),
-    ("the angle between two cylinders that touch", "start", "attitude", ""),
-    ("the ground of a cylinder that lies", "contact", "ground", ""),
+    ("the angle between two touching cylinders", "start", "attitude", ""),
+    ("the ground of a lying cylinder", "contact", "ground", ""),
     (
         "the products of inertia with the axis of a cylinder",
         "contact",
@@ -55,16 +55,16 @@ const PLACES: [(&str, &str, &str, &str); 17] = [
         "rotate the surface onto a principal axis",
     ),
     (
-        "the rate of the ground below a cylinder that lies",
+        "the rate of the ground below a lying cylinder",
         "contact",
         "ground",
-        "a sphere may lie on ground that turns",
+        "a sphere may lie on rotating ground",
     ),
     ("the lever of pivoting friction", "contact", "pivoting_friction", ""),
 ];
 
 const ALONG_THE_GROUND: &str =
-    "what it is along the normal follows from the spin: give the velocity along the ground";
+    "the component along the normal follows from the spin: give the velocity along the ground";
 
 impl OnGround<'_> {
     /// Returns an error of the core at the key that causes it.
@@ -82,7 +82,7 @@ impl OnGround<'_> {
             let value = self.table.get("rolling_friction").unwrap_or(self.value);
             return value
                 .motion(error)
-                .with_hint("give the body a spin with which it rolls, or leave it out");
+                .with_hint("give the body a spin that agrees with rolling, or leave it out");
         }
         let Some((_, table, key, hint)) = PLACES.iter().find(|(name, ..)| *name == parameter) else {
             return self.value.motion(error);

@@ -30,7 +30,8 @@ pub(crate) fn axis(value: &Value<'_>, table: &Table<'_>) -> Result<Axis, FormatE
         let (stiffness, rest) = (spring.positive(Dimension::STIFFNESS)?, quantity("rest", Dimension::ANGLE)?);
         axis = axis.sprung(Spring { stiffness, rest }).map_err(|error| spring.motion(error))?;
     } else if let Some(rest) = table.get("rest") {
-        let hint = "rest is the angle at which the spring has no torque: write spring = \"2 N m/rad\"";
+        let hint =
+            "rest is the angle of zero spring torque, so it needs a spring: write spring = \"2 N m/rad\"";
         return Err(rest.invalid("left out without spring").with_hint(hint));
     }
     let Some(torque) = table.get("torque") else { return Ok(axis) };
@@ -40,7 +41,8 @@ pub(crate) fn axis(value: &Value<'_>, table: &Table<'_>) -> Result<Axis, FormatE
 /// Returns `locked` or `driven`, if one of these is set.
 fn held(table: &Table<'_>) -> Result<Option<&'static str>, FormatError> {
     let keys = ["locked", "driven"];
-    let Some(held) = table.at_most_one(&keys, "a lock keeps the angle of an axis, a motor its rate")? else {
+    let Some(held) = table.at_most_one(&keys, "a lock fixes the angle of an axis; a motor fixes its rate")?
+    else {
         return Ok(None);
     };
     if !held.boolean()? {
@@ -48,7 +50,7 @@ fn held(table: &Table<'_>) -> Result<Option<&'static str>, FormatError> {
     }
     let still = table.get("rate").or_else(|| table.get("damping")).filter(|_| held.key() == "locked");
     if let Some(idle) = still {
-        let hint = "a motor keeps a rate: write driven = true";
+        let hint = "a motor keeps the rate constant: write driven = true";
         return Err(idle.invalid("left out with locked = true: the axis does not turn").with_hint(hint));
     }
     if held.key() == "driven" {

@@ -27,8 +27,8 @@ pub(crate) fn gimbals(
     let table = value.table()?;
     table.allow(&KEYS)?;
     if let Some(pivot) = pivot {
-        let hint = "the body is held at the crossing of the axes alone: write crossing under [gimbals]";
-        return Err(pivot.invalid("left out beside [gimbals]").with_hint(hint));
+        let hint = "gimbals hold the body at the intersection of their axes: write crossing under [gimbals]";
+        return Err(pivot.invalid("left out with [gimbals]").with_hint(hint));
     }
     let [outer_axis, inner_axis] = [
         direction(&table.require("outer_axis", "outer_axis = [0, 0, 1]")?)?,
@@ -47,7 +47,7 @@ pub(crate) fn gimbals(
     };
     let inner_place = table.get("inner_axis").unwrap_or(value);
     let gimbals = Gimbals::new(outer_axis, inner_axis, [outer_held, inner_held, rotor])
-        .map_err(|error| inner_place.motion(error).with_hint("say it for all angles zero"))?;
+        .map_err(|error| inner_place.motion(error).with_hint("it is defined with all angles at zero"))?;
     let crossing = match table.get("crossing") {
         Some(crossing) => Position::from_array(crossing.quantities(Dimension::LENGTH)?),
         None => scenario.body().center_of_mass(),
@@ -78,7 +78,7 @@ fn refused(value: &Value<'_>, table: &Table<'_>, error: MotionError) -> FormatEr
         MotionError::ParameterOutOfRange { parameter: "the angle of the inner gimbal", .. } => (
             "inner",
             "angle",
-            "start elsewhere, or give outer an inertia: moments = [\"1e-4 kg m^2\", \"1e-4 kg m^2\", \"1e-4 kg m^2\"]",
+            "start at another angle, or give the outer gimbal an inertia: moments = [\"1e-4 kg m^2\", \"1e-4 kg m^2\", \"1e-4 kg m^2\"]",
         ),
         MotionError::NonPositiveParameter {
             parameter: "the moment of inertia about the outer axis", ..
@@ -122,7 +122,8 @@ fn of_gimbal(value: Option<Value<'_>>) -> Result<(Axis, Gimbal), FormatError> {
 fn base_of(value: &Value<'_>) -> Result<Base, FormatError> {
     let table = value.table()?;
     table.allow(&["latitude", "rate"])?;
-    let Some(given) = table.at_most_one(&["latitude", "rate"], "either says how the base turns")? else {
+    let Some(given) = table.at_most_one(&["latitude", "rate"], "both define the rotation of the base")?
+    else {
         return Err(table.missing("latitude", "latitude = \"52 deg\""));
     };
     let base = match given.key() {

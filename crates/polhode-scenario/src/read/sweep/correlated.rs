@@ -64,12 +64,12 @@ impl Numbers {
     pub(crate) fn law(&self, form: &Value<'_>) -> Result<Correlated, FormatError> {
         let table = form.table()?;
         table.allow(&["mean", "covariance", "sd", "correlation", "impossible"])?;
-        let rule = "sd goes with correlation, and covariance says both";
+        let rule = "use sd with correlation, or covariance alone";
         table.at_most_one(&["covariance", "sd"], rule)?;
         table.at_most_one(&["covariance", "correlation"], rule)?;
         let mean = match table.get("mean") {
             Some(value) if self.is_body => {
-                let error = value.invalid("left out of mass properties: their mean is as they are written");
+                let error = value.invalid("left out for mass properties: their mean is the written value");
                 return Err(error.with_hint("write the mean into the body itself"));
             }
             Some(value) => self.list(&value)?.into_iter().map(|(_, x)| x).collect(),
@@ -77,7 +77,7 @@ impl Numbers {
         };
         let is_moved = match table.get("impossible") {
             Some(value) if !self.is_body => {
-                return Err(value.invalid("left out of numbers: mass properties may be impossible"));
+                return Err(value.invalid("left out for numbers: only mass properties can be impossible"));
             }
             Some(value) => value.choice(&["failed", "nearest"])? == "nearest",
             None => false,
@@ -99,7 +99,7 @@ impl Numbers {
         };
         let law = made.map_err(|error| self.refused(form, error, &elements))?;
         if law.variables() == 0 {
-            return Err(form.invalid("of numbers of which one at least has an error"));
+            return Err(form.invalid("an array with at least one standard deviation above zero"));
         }
         Ok(if is_moved { law.possible() } else { law })
     }
@@ -190,9 +190,9 @@ impl Numbers {
                 ("equal to that across the diagonal", format!("both are of {} and {}", name(i), name(j)))
             }
             _ => (
-                "such that all elements can hold together",
+                "positive semidefinite",
                 format!(
-                    "as it is, some combination of the numbers up to {} would have a negative variance",
+                    "with these elements, a combination of the numbers up to {} would have a negative variance",
                     name(i.max(j))
                 ),
             ),
@@ -218,7 +218,7 @@ fn quantities<'a>(all: Vec<(Value<'a>, Dimension)>) -> Result<Vec<(Value<'a>, f6
     }
     match (with, bare) {
         (Some(with), Some(bare)) => {
-            Err(bare.invalid(format!("given with its unit, as \"{}\" beside it is", cut(with))))
+            Err(bare.invalid(format!("given with its unit, like the other element \"{}\"", cut(with))))
         }
         _ => Ok(numbers),
     }

@@ -131,7 +131,7 @@ fn normal(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, Forma
     for (key, outside) in [("from", (from - mean) / sd > FARTHEST), ("to", (mean - to) / sd > FARTHEST)] {
         if let Some(value) = table.get(key).filter(|_| outside) {
             let error = value.invalid("within 30 sd of the mean");
-            return Err(error.with_hint("next to nothing of the distribution is left beyond"));
+            return Err(error.with_hint("the probability beyond it is negligible"));
         }
     }
     Ok(Distribution::Normal { mean, sd, from, to })
@@ -140,7 +140,7 @@ fn normal(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, Forma
 /// Reads `log_normal = { median, sigma }`, or `{ mean, sd }` of the number itself.
 fn log_normal(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, FormatError> {
     table.allow(&["median", "sigma", "mean", "sd"])?;
-    let rule = "median goes with sigma, mean with sd";
+    let rule = "use median with sigma, or mean with sd";
     for (one, other) in [("median", "mean"), ("median", "sd"), ("sigma", "mean"), ("sigma", "sd")] {
         table.at_most_one(&[one, other], rule)?;
     }
@@ -233,7 +233,7 @@ fn bounds(table: &Table<'_>, dimension: Dimension) -> Result<[f64; 2], FormatErr
     if !(to - from).is_finite() {
         return Err(value
             .invalid("nearer to from")
-            .with_hint("their difference is beyond the largest double"));
+            .with_hint("their difference is larger than the largest double"));
     }
     Ok([from, to])
 }
@@ -243,7 +243,9 @@ fn deviation(value: &Value<'_>, dimension: Dimension) -> Result<f64, FormatError
     if sd > 0.0 {
         return Ok(sd);
     }
-    Err(value.invalid("positive").with_hint("it is a standard deviation; what has none does not vary"))
+    Err(value
+        .invalid("positive")
+        .with_hint("it is a standard deviation; a number with zero standard deviation does not vary"))
 }
 
 fn above_zero(table: &Table<'_>, key: &'static str, number: f64) -> Result<(), FormatError> {
@@ -251,5 +253,5 @@ fn above_zero(table: &Table<'_>, key: &'static str, number: f64) -> Result<(), F
         return Ok(());
     }
     let value = table.require(key, "")?;
-    Err(value.invalid("positive").with_hint("what is not positive has no logarithm"))
+    Err(value.invalid("positive").with_hint("only positive numbers have a logarithm"))
 }

@@ -104,13 +104,13 @@ pub(crate) fn law(
 ) -> Result<(Target, Law), FormatError> {
     let forms = [&FORMS[..], &OTHERS[..]].concat();
     table.allow(&[&["key", "magnitude"], &forms[..]].concat())?;
-    let Some(form) = table.at_most_one(&forms, "a number varies in one way")? else {
+    let Some(form) = table.at_most_one(&forms, "give each number one distribution only")? else {
         return Err(
             table.missing("normal", "normal = { mean = 3, sd = 0.1 }, or uniform = { from = 0, to = 1 }")
         );
     };
     if form.key() != "direction" {
-        table.at_most_one(&[form.key(), "magnitude"], "only a direction goes with a magnitude")?;
+        table.at_most_one(&[form.key(), "magnitude"], "magnitude is used only with direction")?;
     }
     if sampling == Sampling::Grid && !["list", "grid"].contains(&form.key()) {
         let error = form.invalid("list or grid: a grid has no distributions");
@@ -124,7 +124,7 @@ pub(crate) fn law(
     }
     let [key, others @ ..] = keys.as_slice() else { return Err(key.invalid("the key of a number")) };
     if let Some(other) = others.first().filter(|_| OTHERS.contains(&form.key())) {
-        let error = other.invalid(format!("one key: what has {} is no number", form.key()));
+        let error = other.invalid(format!("one key: {} does not apply to numbers", form.key()));
         return Err(error.with_hint("give each [[sweep.vary]] its own key"));
     }
     Ok(match form.key() {
@@ -220,7 +220,7 @@ fn direction(value: &Value<'_>) -> Result<Spread, FormatError> {
 fn magnitude(value: &Value<'_>, target: &Target) -> Result<Distribution, FormatError> {
     let table = value.table()?;
     table.allow(&FORMS)?;
-    let Some(form) = table.at_most_one(&FORMS, "a number varies in one way")? else {
+    let Some(form) = table.at_most_one(&FORMS, "give each number one distribution only")? else {
         return Err(table.missing("uniform", "magnitude = { uniform = { from = 0, to = 1 } }"));
     };
     // The nominal value is |v|.
@@ -228,7 +228,7 @@ fn magnitude(value: &Value<'_>, target: &Target) -> Result<Distribution, FormatE
     let magnitude = distribution(&form, target.dimension(), norm)?;
     if magnitude.least() < 0.0 {
         return Err(form
-            .invalid("of what is not negative: a magnitude has no sign")
+            .invalid("nonnegative: a magnitude has no sign")
             .with_hint("add from = 0 to a normal distribution, or take a log_normal one"));
     }
     Ok(magnitude)
@@ -241,7 +241,7 @@ fn dispersion(value: &Value<'_>, target: &Target) -> Result<Dispersion, FormatEr
     };
     table.allow(&["mass", "center_of_mass", "inertia"])?;
     if target.columns().len() == 6 {
-        let error = value.invalid("one number for a tensor alone");
+        let error = value.invalid("one number, for a tensor");
         return Err(
             error.with_hint("write dispersion = \"10 %\", or the body's or the part's key without .inertia")
         );

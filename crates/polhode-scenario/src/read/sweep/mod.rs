@@ -84,7 +84,7 @@ const MOST_SOBOL: u64 = 1 << 32;
 /// Returns a finding that the scenario of a plan is shown as written.
 pub(crate) fn nominal(members: u64) -> Finding {
     let message = format!(
-        "a plan of {members} members: this is the scenario as it is written, polhode sweep runs them"
+        "this is a sweep plan with {members} members: only the scenario as written is used here; polhode sweep runs the members"
     );
     Finding { code: "sweep.nominal", severity: Severity::Info, message, place: None }
 }
@@ -132,7 +132,7 @@ pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -
         for (other, _) in vary.iter().take(k) {
             let line = other.place.line;
             if other.target.overlaps(&one.target) {
-                let rule = format!("something else than what varies by line {line} already");
+                let rule = format!("a number that does not already vary by line {line}");
                 return Err(key.invalid(rule).with_hint("a number varies once: leave one of them out"));
             }
             let named = |name: &str| other.target.columns().iter().any(|column| column.name == name);
@@ -147,7 +147,7 @@ pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -
     let vary: Vec<Vary> = vary.into_iter().map(|(vary, _)| vary).collect();
     let seed = table.get("seed");
     if let (Sampling::Grid, Some(seed)) = (sampling, &seed) {
-        return Err(seed.invalid("left out").with_hint("nothing in a grid is drawn"));
+        return Err(seed.invalid("left out").with_hint("a grid is not random"));
     }
     let seed = seed.map_or(Ok(0), |seed| seed.count())?;
     let trajectories = table.get("trajectories").map_or(Ok(false), |value| value.boolean())?;
@@ -174,10 +174,10 @@ fn replicates(table: &Table<'_>, sampling: Sampling, members: u64) -> Result<u64
                 format!("2 … {MOST_REPLICATES}, and a divisor of the {members} members, at least 2 of each");
             return Err(value
                 .invalid(rule)
-                .with_hint("16 sets show an error to some 20 %: write replicates = 16"));
+                .with_hint("16 replicates determine the error to about 20 %: write replicates = 16"));
         }
-        Sampling::Grid => "a grid is no sample: nothing in it is drawn",
-        Sampling::MonteCarlo => "members that are independent show their error as they are",
+        Sampling::Grid => "a grid is not a random sample",
+        Sampling::MonteCarlo => "the error of independent members is estimated without replicates",
     };
     Err(value.invalid("left out here").with_hint(hint))
 }
@@ -193,7 +193,7 @@ fn members(
     let given = table.get("members");
     if sampling == Sampling::Grid {
         if let Some(value) = given {
-            let hint = "a grid has as many members as its values have combinations";
+            let hint = "the size of a grid is the number of combinations of its values";
             return Err(value.invalid("left out of a grid").with_hint(hint));
         }
         let count = |vary: &Vary| match &vary.law {
@@ -215,7 +215,7 @@ fn members(
     let members = value.count()?;
     let (most, hint) = match sampling {
         Sampling::Sobol => (MOST_SOBOL, "Sobol's points repeat beyond"),
-        _ => (MOST_MEMBERS, "begin with a thousand"),
+        _ => (MOST_MEMBERS, "start with 1000"),
     };
     if members == 0 {
         return Err(value.invalid("at least 1").with_hint("write members = 1000"));

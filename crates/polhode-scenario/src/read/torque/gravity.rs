@@ -32,7 +32,7 @@ pub(crate) fn gravity<'a>(
 }
 
 fn no_pivot(table: &Table<'_>) -> FormatError {
-    let hint = "write pivot = [\"0 mm\", \"0 mm\", \"0 mm\"]: uniform gravity does not turn a free body, so it is held at a point";
+    let hint = "write pivot = [\"0 mm\", \"0 mm\", \"0 mm\"]: uniform gravity has no torque on a free body, so the body needs a pivot";
     table.missing("pivot", "").with_hint(hint)
 }
 

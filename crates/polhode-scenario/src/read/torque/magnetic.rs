@@ -16,7 +16,7 @@ pub(crate) fn magnetic(table: &Table<'_>, orbit: Option<&Orbit>) -> Result<Torqu
     allow(table, &["moment", "field", "dipole"])?;
     let moment = table.require("moment", "moment = [0, 0, \"5 A m^2\"]")?;
     let moment = Direction::from_array(moment.quantities(Dimension::MAGNETIC_MOMENT)?);
-    let Some(given) = table.at_most_one(&["field", "dipole"], "the field is given once")? else {
+    let Some(given) = table.at_most_one(&["field", "dipole"], "give the field in one way only")? else {
         return Err(table.missing(
             "field",
             "field = [\"20 µT\", 0, \"-40 µT\"], or dipole = [0, 0, -7.7e22] and an [orbit]",

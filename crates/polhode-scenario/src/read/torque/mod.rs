@@ -104,7 +104,7 @@ pub(crate) fn torques<'a>(
             "formula" => formula::formula(&table)?,
             "table" => table::table(&table, end)?,
             _ if torques.models.iter().any(|model| matches!(model, TorqueModel::Gravity(_))) => {
-                let rule = "given once for gravity";
+                let rule = "used once: this is a second gravity";
                 return Err(named.invalid(rule).with_hint("add the accelerations"));
             }
             _ => gravity::gravity(&table, pivot)?,
@@ -135,8 +135,8 @@ impl Torques {
             None => None,
             Some(value) => match value.string()? {
                 name if self.names.iter().any(|other| other.as_deref() == Some(name)) => {
-                    let hint = "events switch torques by their names: give each its own";
-                    return Err(value.invalid("no other torque's").with_hint(hint));
+                    let hint = "events switch torques by name: give each torque its own name";
+                    return Err(value.invalid("different from the names of other torques").with_hint(hint));
                 }
                 name => Some(name.to_owned()),
             },
@@ -145,7 +145,7 @@ impl Torques {
             && !on.boolean()?
         {
             if name.is_none() {
-                let hint = "a torque that is off waits for an event that switches it on: give it a name";
+                let hint = "an event that switches the torque on needs its name: give it a name";
                 return Err(on.invalid("true for a torque without a name").with_hint(hint));
             }
             self.switched_off.push(self.models.len());

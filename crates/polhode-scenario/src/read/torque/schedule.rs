@@ -18,7 +18,7 @@ pub(crate) fn scheduled(table: &Table<'_>, torque: TorqueModel) -> Result<Torque
 
 /// Reads `from` and `until`, or `pulses = { first, width, period, count }`.
 pub(crate) fn schedule(table: &Table<'_>) -> Result<Option<Schedule>, FormatError> {
-    const TWICE: &str = "the pulses alone say when it acts";
+    const TWICE: &str = "pulses alone define when the torque acts";
     let (from, until) = (table.get("from"), table.get("until"));
     for key in ["from", "until"] {
         table.at_most_one(&[key, "pulses"], TWICE)?;

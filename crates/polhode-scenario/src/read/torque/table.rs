@@ -56,13 +56,16 @@ fn covers(
     let [from, until] = schedule.and_then(|schedule| schedule.as_window()).unwrap_or([0.0, end]);
     let (from, until) = (from.max(0.0), until.min(end));
     if from < until && (*first > from || *last < until) {
-        let rule = format!("as long as it acts, {from} to {until} s: it is from {first} to {last} s");
+        let rule =
+            format!("defined while the torque acts, from {from} to {until} s; it covers {first} to {last} s");
         let (from, until) = (first.max(from), last.min(until));
         let hint = match from < until {
             true => {
-                format!("give more rows, or say when it acts: from = \"{from} s\", until = \"{until} s\"")
+                format!(
+                    "give more rows, or limit the time of the torque: from = \"{from} s\", until = \"{until} s\""
+                )
             }
-            false => "give more rows: it has none at the times of the run".to_owned(),
+            false => "give more rows: none is within the run".to_owned(),
         };
         return Err(form.invalid(rule).with_hint(hint));
     }

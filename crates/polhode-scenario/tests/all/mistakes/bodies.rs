@@ -32,7 +32,7 @@ fn impossible_bodies_are_refused_where_they_are_impossible() {
     );
     refuses(
         &tensor("moments=[1,1,1]\nproducts=«'negative_integral'»"),
-        "moments and products are both given: principal moments have no products",
+        "moments and products are both given: with principal moments the products are zero",
         "leave",
     );
     refuses(
@@ -104,12 +104,12 @@ fn a_density_fits_its_part() {
     refuses(
         &part("shape='plate'\nsize=[1,2]\ndensity=«'2700 kg/m^3'»"),
         "\"kg/m^3\" is a density where a mass per area belongs",
-        "a thin part has a density per area: add its thickness",
+        "a thin part has a density per area; with thickness = \"2",
     );
     refuses(
         &part("shape='disk'\nradius=1\nthickness='2 mm'\ndensity=«'5 kg/m^2'»"),
         "\"kg/m^2\" is a mass per area where a density belongs",
-        "with a thickness, the density is per volume",
+        "with a thickness the density is per volume;",
     );
     refuses(
         &part("shape='rod'\nlength=1\ndensity=«'5 g/cc'»"),

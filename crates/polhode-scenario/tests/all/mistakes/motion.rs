@@ -22,12 +22,12 @@ fn orbits_are_given_once_and_are_orbits() {
     );
     refuses(
         &orbit("{altitude=7e5,mu=«4e14»}"),
-        "altitude and mu are both given: an altitude is above the Earth: of another body give the radius",
+        "altitude and mu are both given: an altitude is relative to the Earth: for another body give the radius",
         "leave one of them out",
     );
     refuses(
         &orbit("{altitude=7e5,radial=[1,0,0],inclination=«1»}"),
-        "radial and inclination are both given: directions or angles say how the circle lies",
+        "radial and inclination are both given: give the orientation of the orbit either by directions or by angles",
         "leave one of them out",
     );
     refuses(
@@ -42,7 +42,7 @@ fn orbits_are_given_once_and_are_orbits() {
     );
     refuses(
         &orbit("{semi_major_axis=7e6,mean_anomaly=1,true_anomaly=«1»}"),
-        "mean_anomaly and true_anomaly are both given: either says where on the orbit",
+        "mean_anomaly and true_anomaly are both given: both define the position on the orbit",
         "leave one of them out",
     );
     refuses(
@@ -50,8 +50,12 @@ fn orbits_are_given_once_and_are_orbits() {
         "the key velocity is missing in orbit",
         "write velocity = [0, \"7.6 km/s\", 0]",
     );
-    refuses(&orbit("{radius=«'-7000 km'»}"), "radius = '-7000 km' must be positive", "radial and motion say");
-    refuses(&orbit("{mu=«0»,radius=7e6}"), "mu = 0 must be positive", "radial and motion say");
+    refuses(
+        &orbit("{radius=«'-7000 km'»}"),
+        "radius = '-7000 km' must be positive",
+        "radial and motion define",
+    );
+    refuses(&orbit("{mu=«0»,radius=7e6}"), "mu = 0 must be positive", "radial and motion define");
     refuses(
         &orbit("{mu=«'4e5 km^3'»,radius=7e6}"),
         "\"km^3\" is a volume where a gravitational parameter belongs",
@@ -110,7 +114,7 @@ fn a_magnet_has_one_field() {
     let magnet = |text: &str| magnet(text).replace("«[[torque]]»", "[[torque]]");
     refuses(
         &magnet("moment=[0,0,1]\nfield=[0,0,1]\ndipole=«[0,0,1]»"),
-        "field and dipole are both given: the field is given once",
+        "field and dipole are both given: give the field in one way only",
         "leave one of them out",
     );
     refuses(
@@ -131,7 +135,7 @@ fn times_of_torques_are_in_order() {
     );
     refuses(
         &torque("from=1\npulses=«{width=1,period=2}»"),
-        "from and pulses are both given: the pulses alone say when it acts",
+        "from and pulses are both given: pulses alone define when the torque acts",
         "leave",
     );
     refuses(&torque("until=«'3 m'»"), "\"m\" is a length where a time belongs", "write a time");
@@ -249,13 +253,13 @@ fn wheels_that_make_no_sense_are_refused() {
     );
     refuses(
         &wheel("axis=[0,0,1]\nmomentum=1\nspeed=«2»\ninertia=1"),
-        "momentum and speed are both given: each of them alone says how much angular momentum the wheel starts with",
+        "momentum and speed are both given: each of them alone defines the initial angular momentum of the wheel",
         "leave",
     );
     refuses(
         &wheel("axis=[0,0,1]\nmomentum=1\ninertia=«2»"),
         "inertia = 2 must be left out",
-        "with momentum and without motor_torque, nothing depends on it",
+        "with momentum and without motor_torque it has no effect",
     );
     refuses(
         &wheel("axis=«[0,0,0]»\nmomentum=1"),
@@ -265,7 +269,7 @@ fn wheels_that_make_no_sense_are_refused() {
     refuses(
         &wheel("axis=[0,0,1]\nmomentum=1\nfrom=«'2 s'»"),
         "from = '2 s' must be left out",
-        "it is the time of a motor_torque",
+        "it limits the time of motor_torque;",
     );
     refuses(
         &wheel("axis=[0,0,1]\nspeed=1\ninertia=«'-1 kg m^2'»"),
@@ -274,7 +278,7 @@ fn wheels_that_make_no_sense_are_refused() {
     );
     refuses(
         &wheel("axis=[0,0,1]\nspeed=1\ninertia=1e-6\nmotor_torque=1\nfrom=3\nuntil=«2»"),
-        "until = 2 must be later than the start of the motor's work",
+        "until = 2 must be later than the start of the motor",
         "a run starts at 0",
     );
     // The ball has 0.4 · 0.5 kg · (20 mm)² = 8e-5 kg·m²: no wheel in it has more, whether it turns freely or is held.
@@ -285,7 +289,7 @@ fn wheels_that_make_no_sense_are_refused() {
             error.message().contains("the wheel's moment of inertia")
                 || error.message().contains("without its wheels")
         );
-        assert!(error.hint().unwrap().starts_with("the inertia of [body] holds that of the wheels"));
+        assert!(error.hint().unwrap().starts_with("the inertia of [body] includes the locked wheels"));
         assert_eq!(error.place().unwrap().excerpt, "inertia='1e-4 kg m^2'");
     }
     for (table, other) in
@@ -374,7 +378,7 @@ fn events_that_cannot_be_are_refused() {
     refuses(
         &event("measure='nutation'\nvalue=«'180 deg'»"),
         "value = '180 deg' must be above 0 and below 180 deg",
-        "such an angle turns back",
+        "this angle reaches 0 and",
     );
     refuses(
         &event("measure='angle'\nbetween=«[{body=[0,0,1]},{body=[0,1,0]}]»\nvalue=1"),
@@ -409,13 +413,13 @@ fn events_that_cannot_be_are_refused() {
     );
     refuses(
         &format!("{BALL}{torque}[[torque]]\nname=«'jet'»\nmodel='constant'\naxes='body'\ntorque=[1,0,0]"),
-        "name = 'jet' must be no other torque's",
-        "events switch torques by their names",
+        "name = 'jet' must be different from the names of other torques",
+        "events switch torques by name: give each",
     );
     refuses(
         &format!("{BALL}[[torque]]\non=«false»\nmodel='constant'\naxes='body'\ntorque=[1,0,0]"),
         "on = false must be true for a torque without a name",
-        "a torque that is off waits",
+        "an event that switches the",
     );
     let off = parse(&format!("{BALL}{}{RUN}", torque.replace("name", "on=false\nname"))).unwrap();
     assert!(off.findings().iter().any(|finding| finding.code == "torque.off"));
@@ -449,12 +453,12 @@ fn directions_of_an_orbit_need_one() {
     };
     refuses(
         &format!("{BALL}{}", event("«'nadir'»")),
-        "between = 'nadir' must be beside an [orbit], which gives this direction",
+        "between = 'nadir' must be used with an [orbit], which defines this direction",
         "write [orbit] on a line of its own",
     );
     refuses(
         &format!("{BALL}{}", event("«'field'»")),
-        "between = 'field' must be left out, since no [[torque]] of model \"magnetic\" says what the field is, or two differ",
+        "between = 'field' must be left out, since no [[torque]] of model \"magnetic\" defines the field, or two fields differ",
         "give its direction as { space",
     );
     for name in ["nadir", "velocity", "orbit_normal"] {
@@ -483,8 +487,8 @@ fn directions_of_an_orbit_need_one() {
     );
     refuses(
         &pointing("name='a'\nbody=[0,0,1]\nto='nadir'\n[[pointing]]\nname=«'A'»\nbody=[0,0,1]\nto='nadir'"),
-        "name = 'A' must be no other pointing's",
-        "give each its own",
+        "name = 'A' must be different from the names of other pointings",
+        "give each pointing its own name",
     );
 }
 
@@ -503,7 +507,7 @@ fn starts_and_times_of_an_orbit_need_one() {
     );
     refuses(
         &format!("{BALL}{orbit}[start]\nvelocity=«[1,0,0]»\n"),
-        "velocity = [1,0,0] must be left out, since [orbit] says how the centre of mass moves",
+        "velocity = [1,0,0] must be left out, since [orbit] defines the motion of the centre of mass",
         "write position and velocity under [orbit]",
     );
     refuses(
@@ -513,7 +517,7 @@ fn starts_and_times_of_an_orbit_need_one() {
     );
     refuses(
         &format!("{BALL}[orbit]\nposition=[7e6,0,0]\nvelocity=[0,12e3,0]\n[run]\nduration=«'3 orbits'»\n"),
-        "duration = '3 orbits' must be a time: a parabola or a hyperbola is not run through twice",
+        "duration = '3 orbits' must be a time: a parabolic or hyperbolic orbit has no period",
         "write duration",
     );
     refuses(

@@ -7,28 +7,28 @@ use polhode_source::files::Disk;
 fn numbers_of_a_list_have_their_units_all_or_none() {
     refuses(
         &format!("[body]\npivot = ['0 mm', '0 mm', «'150'»]\n{BALL}"),
-        "pivot = '150' must be given with its unit, as \"0 mm\" beside it is",
+        "pivot = '150' must be given with its unit, like the other element \"0 mm\"",
         "write \"150 mm\", or \"150 m\"",
     );
     refuses(
         &format!("{BALL}position = ['1 mm', «2», 0]"),
-        "position = 2 must be given with its unit, as \"1 mm\" beside it is",
+        "position = 2 must be given with its unit, like the other element \"1 mm\"",
         "write \"2 mm\", or \"2 m\"",
     );
     refuses(
         "[[body.part]]\nshape='tensor'\nmass='2 kg'\ninertia=[['3 kg m^2','0.1 kg m^2',0],['0.1 kg m^2',«4»,0],[0,0,'5 kg m^2']]",
-        "inertia = 4 must be given with its unit, as \"3 kg m^2\" beside it is",
+        "inertia = 4 must be given with its unit, like the other element \"3 kg m^2\"",
         "write \"4 kg m^2\"",
     );
     let plan = "[sweep]\nmembers=3\nsampling='monte carlo'\n[[sweep.vary]]\nkey='body.part[0].radius'\n";
     refuses(
         &format!("{BALL}{plan}uniform={{from='10 mm',to=«20»}}"),
-        "to = 20 must be given with its unit, as \"10 mm\" beside it is",
+        "to = 20 must be given with its unit, like the other element \"10 mm\"",
         "write \"20 mm\", or \"20 m\"",
     );
     refuses(
         &format!("{BALL}{plan}list=['10 mm',«2.5e1»]"),
-        "list = 2.5e1 must be given with its unit, as \"10 mm\" beside it is",
+        "list = 2.5e1 must be given with its unit, like the other element \"10 mm\"",
         "write \"2.5e1 mm\", or \"2.5e1 m\"",
     );
     // Zero is zero in every unit, and a formula says its units itself.

@@ -156,8 +156,8 @@ fn mistakes_are_named_where_they_stand() {
     for (law, message, hint) in [
         (
             "{ covariance = [[0.1, 0.2], [«0.2», 0.1]] }",
-            "covariance = 0.2 must be such that all elements can hold together",
-            "as it is, some combination of the numbers up to start.spin.body[1]",
+            "covariance = 0.2 must be positive semidefinite",
+            "with these elements, a combination of the numbers up to start.spin.body[1]",
         ),
         (
             "{ covariance = [[0.1, 0.02], [«0.03», 0.1]] }",
@@ -166,7 +166,7 @@ fn mistakes_are_named_where_they_stand() {
         ),
         (
             "{ covariance = [[0.1, 0], [0, 0.1]], impossible = «'nearest'» }",
-            "impossible = 'nearest' must be left out of numbers: mass properties may be impossible",
+            "impossible = 'nearest' must be left out for numbers: only mass properties can be impossible",
             "",
         ),
         (
@@ -181,7 +181,7 @@ fn mistakes_are_named_where_they_stand() {
         ),
         (
             "{ covariance = [['0.1 deg^2/s^2', 0], [0, «2»]] }",
-            "covariance = 2 must be given with its unit, as \"0.1 deg^2/s^2\" beside it is",
+            "covariance = 2 must be given with its unit, like the other element \"0.1 deg^2/s^2\"",
             "",
         ),
         (
@@ -212,12 +212,12 @@ fn mistakes_are_named_where_they_stand() {
         ),
         (
             "{ sd = [1, 2], covariance = «[[1, 0], [0, 1]]» }",
-            "sd and covariance are both given: sd goes with correlation, and covariance says both",
+            "sd and covariance are both given: use sd with correlation, or covariance alone",
             "leave one of them out",
         ),
         (
             "«{ sd = [0, 0], correlation = [[1, 0], [0, 1]] }»",
-            "correlated = { sd = [0, 0], correlation = [[1, 0], [0, 1]] } must be of numbers of which one at least has an error",
+            "correlated = { sd = [0, 0], correlation = [[1, 0], [0, 1]] } must be an array with at least one standard deviation above zero",
             "",
         ),
     ] {
@@ -230,12 +230,12 @@ fn mistakes_are_named_where_they_stand() {
     );
     refuses_vary(
         "key = ['run.duration', «'run.duration'»]\ncorrelated = {}\n",
-        "key = 'run.duration' must be another number than those before it",
+        "key = 'run.duration' must be different from the numbers before it",
         "leave it out",
     );
     refuses_vary(
         "key = 'body.inertia'\ncorrelated = { mean = «[1, 2, 2, 0, 0, 0]», sd = [0.1, 0, 0, 0, 0, 0] }\n",
-        "mean = [1, 2, 2, 0, 0, 0] must be left out of mass properties: their mean is as they are written",
+        "mean = [1, 2, 2, 0, 0, 0] must be left out for mass properties: their mean is the written value",
         "write the mean into the body itself",
     );
 }

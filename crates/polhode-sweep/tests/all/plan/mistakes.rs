@@ -82,7 +82,7 @@ fn where_one_motion_is_asked_for_a_plan_is_its_scenario_as_written_and_says_so()
     let scenario = polhode_scenario::read::parse(&text, path).unwrap();
     let finding = scenario.findings().last().unwrap();
     assert_eq!(finding.code, "sweep.nominal");
-    assert!(finding.message.starts_with("a plan of 10 members: this is the scenario as it is written"));
+    assert!(finding.message.starts_with("this is a sweep plan with 10 members"));
     assert_eq!(scenario, polhode_scenario::read::parse(SCENARIO, path).unwrap().noting([finding.clone()]));
     // All entries are checked.
     let wrong = polhode_scenario::read::parse(&text.replace("= 10", "= 0"), path).unwrap_err();
@@ -95,47 +95,47 @@ fn keys_lead_to_numbers_of_the_scenario() {
     for (key, rule, hint) in [
         (
             "start.spin.bdy[0]",
-            "a key of the scenario, but start.spin has no \"bdy\"",
+            "a key of the scenario; start.spin has no key \"bdy\"",
             "did you mean \"start.spin.body[0]\"?",
         ),
         (
             "start.omega",
-            "a key of the scenario, but start has no \"omega\"",
-            "the keys of start are attitude, spin; what varies has to stand there",
+            "a key of the scenario; start has no key \"omega\"",
+            "the keys of start are attitude, spin; a varying number must be written in the file",
         ),
         (
             "strat.spin",
-            "a key of the scenario, but the scenario has no \"strat\"",
+            "a key of the scenario; the scenario has no key \"strat\"",
             "did you mean \"start.spin\"?",
         ),
-        ("run.duration.s", "a key of the scenario, but run.duration has no \"s\"", ""),
+        ("run.duration.s", "a key of the scenario; run.duration has no key \"s\"", ""),
         (
             "start.spin.body[3]",
-            "a key of the scenario, but there is no start.spin.body[3]",
+            "a key of the scenario; start.spin.body[3] does not exist",
             "start.spin.body has 3 elements, from start.spin.body[0]",
         ),
-        ("start.spin[0]", "a key of the scenario, but start.spin is not an array", ""),
-        ("start.spin.body[0", "a key, but its bracket is not closed after start.spin.body", ""),
+        ("start.spin[0]", "a key of the scenario; start.spin is not an array", ""),
+        ("start.spin.body[0", "a key; the bracket after start.spin.body is not closed", ""),
         ("start.spin.body[0]x", "a key: write a dot or a bracket after start.spin.body[0]", ""),
         (
             "body.part[\"bsu\"].mass",
-            "a key of the scenario, but no body.part is named \"bsu\"",
+            "a key of the scenario; no body.part is named \"bsu\"",
             "did you mean 'body.part[\"bus\"].mass'?",
         ),
-        ("start.spin.body", "one number of the scenario, not several", "write key = \"start.spin.body[0]\""),
-        ("start.spin", "one number of the scenario, not several", "write key = \"start.spin.body\""),
+        ("start.spin.body", "a single number of the scenario", "write key = \"start.spin.body[0]\""),
+        ("start.spin", "a single number of the scenario", "write key = \"start.spin.body\""),
         (
             "title",
-            "a number of the scenario: words, formulas and whole numbers do not vary",
-            "a formula may stand for a number",
+            "a number of the scenario: words, formulas and counts cannot vary",
+            "if it is a constant formula, write",
         ),
         (
             "run.samples",
-            "a number of the scenario: words, formulas and whole numbers do not vary",
-            "a formula may stand for a number",
+            "a number of the scenario: words, formulas and counts cannot vary",
+            "if it is a constant formula, write",
         ),
         ("", "a key of the scenario", "write key = \"start.spin.body[0]\""),
-        ("[0]", "a key that begins with a table's name", ""),
+        ("[0]", "a key that starts with the name of a table", ""),
     ] {
         refuses_vary(&format!("key = «'{key}'»\n{law}"), &format!("key = '{key}' must be {rule}"), hint);
     }
@@ -181,7 +181,7 @@ fn a_law_fits_its_number() {
         (
             "normal = { mean = 1, sd = 0.1, from = «9» }",
             "from = 9 must be within 30 sd of the mean",
-            "next to nothing of the distribution is left",
+            "the probability beyond it is negligible",
         ),
         (
             "uniform = { from = 3, to = «2» }",
@@ -196,14 +196,14 @@ fn a_law_fits_its_number() {
         (
             "uniform = { from = -1.7e308, to = «1.7e308» }",
             "to = 1.7e308 must be nearer to from",
-            "their difference is beyond",
+            "their difference is larger",
         ),
         (
             "log_uniform = { from = «-1», to = 2 }",
             "from = -1 must be positive",
-            "what is not positive has no logarithm",
+            "only positive numbers have a logarithm",
         ),
-        ("log_normal = { median = «0», sigma = 2 }", "median = 0 must be positive", "what is not positive"),
+        ("log_normal = { median = «0», sigma = 2 }", "median = 0 must be positive", "only positive numbers"),
         (
             "log_normal = { median = 1, sigma = «'2 rad/s'» }",
             "\"rad/s\" is an angular velocity where a plain number belongs",
@@ -211,7 +211,7 @@ fn a_law_fits_its_number() {
         ),
         (
             "log_normal = { median = 1, sd = «2» }",
-            "median and sd are both given: median goes with sigma, mean with sd",
+            "median and sd are both given: use median with sigma, or mean with sd",
             "leave one of them out",
         ),
         (
@@ -233,18 +233,18 @@ fn a_law_fits_its_number() {
         (
             "grid = { from = «-1», to = 2, count = 5, spacing = 'log' }",
             "from = -1 must be positive",
-            "what is not positive has no logarithm",
+            "only positive numbers have a logarithm",
         ),
         ("relative = «'5 percent'»", "relative = '5 percent' must be a percentage", "write \"5 %\", or 0.05"),
         ("relative = «'-5 %'»", "relative = '-5 %' must be above 0", "it is a standard deviation"),
         (
             "uniform = { from = 0, to = 1 }\nnormal = «{ mean = 0, sd = 1 }»",
-            "uniform and normal are both given: a number varies in one way",
+            "uniform and normal are both given: give each number one distribution only",
             "leave one of them out",
         ),
         (
             "uniform = { from = 0, to = 1 }\nmagnitude = «{ list = [3] }»",
-            "uniform and magnitude are both given: only a direction goes with a magnitude",
+            "uniform and magnitude are both given: magnitude is used only with direction",
             "leave one of them out",
         ),
         (
@@ -285,7 +285,7 @@ fn what_is_dispersed_stays_within_reason() {
         ),
         (
             "key = 'start.spin.body'\ndirection = 'uniform'\nmagnitude = { normal = «{ mean = 1, sd = 0.1 }» }",
-            "normal = { mean = 1, sd = 0.1 } must be of what is not negative: a magnitude has no sign",
+            "normal = { mean = 1, sd = 0.1 } must be nonnegative: a magnitude has no sign",
             "add from = 0 to a normal distribution",
         ),
         (
@@ -295,7 +295,7 @@ fn what_is_dispersed_stays_within_reason() {
         ),
         (
             "key = 'body.inertia'\ndispersion = «{ mass = '10 %' }»",
-            "dispersion = { mass = '10 %' } must be one number for a tensor alone",
+            "dispersion = { mass = '10 %' } must be one number, for a tensor",
             "write dispersion = \"10 %\"",
         ),
         (
@@ -326,7 +326,7 @@ fn a_number_varies_once() {
         let key = second.split(['«', '»']).nth(1).unwrap();
         refuses(
             &format!("[sweep]\nmembers = 10\nsampling = 'monte carlo'\n{first}[[sweep.vary]]\n{second}"),
-            &format!("key = {key} must be something else than what varies by line 22 already"),
+            &format!("key = {key} must be a number that does not already vary by line 22"),
             "a number varies once",
         );
     }
@@ -357,12 +357,12 @@ fn a_grid_has_values_and_no_distributions() {
     refuses(
         &format!("[sweep]\nmembers = «4»\nsampling = 'grid'\n{list}"),
         "members = 4 must be left out of a grid",
-        "a grid has as many members as its values have combinations",
+        "the size of a grid is the number of combinations of its values",
     );
     refuses(
         &format!("[sweep]\nseed = «4»\nsampling = 'grid'\n{list}"),
         "seed = 4 must be left out",
-        "nothing in a grid is drawn",
+        "a grid is not random",
     );
     let many = "grid = { from = 1, to = 2, count = 1_000_000 }";
     let three: String = (0..3).map(|k| vary(&format!("start.spin.body[{k}]"), many)).collect();

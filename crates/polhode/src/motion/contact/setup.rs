@@ -80,7 +80,7 @@ fn require_inside(of: &ContactProblem<'_>) -> Result<(), MotionError> {
         "inside the surface: no body that a convex surface bounds has its centre of mass outside of it";
     let distance = (center - surface.center()).norm();
     require::that(
-        "the distance of the centre of mass from that of the surface",
+        "the distance of the centre of mass from the centre of the surface",
         distance,
         surface.contains(center),
         rule,
@@ -140,15 +140,15 @@ fn variables(of: &ContactProblem<'_>, stepper: &Stepper) -> Result<(Kind, Vec<f6
         require::that("the angular velocity of a cylinder across its axis", x.hypot(y), holds, rule)?;
         let tilt = rolling.normal.0[2];
         let rule = "zero: its axis lies along the ground";
-        require::that("the tilt of a cylinder that lies", tilt, tilt.abs() <= 1e-9, rule)?;
+        require::that("the tilt of a lying cylinder", tilt, tilt.abs() <= 1e-9, rule)?;
         if let GroundForm::Cylinder { .. } = model.ground {
             let across = e3[2].abs() - 1.0;
             let rule = "zero: it touches along a line";
-            require::that("the angle between two cylinders that touch", across, across.abs() <= 1e-9, rule)?;
+            require::that("the angle between two touching cylinders", across, across.abs() <= 1e-9, rule)?;
         }
         let rule = "a plane or a cylinder";
         let holds = !matches!(model.ground, GroundForm::Sphere { .. });
-        require::that("the ground of a cylinder that lies", f64::NAN, holds, rule)?;
+        require::that("the ground of a lying cylinder", f64::NAN, holds, rule)?;
         require_cylinder(of, stepper)?;
     }
     let rolls = (Kind::Touching(Regime::Rolling, Pivot::Turning(0.0)), y.clone());
@@ -197,7 +197,7 @@ fn require_cylinder(of: &ContactProblem<'_>, stepper: &Stepper) -> Result<(), Mo
     )?;
     let turning = of.contact.ground.turning();
     let rule = "zero: a cylinder that lies keeps the direction of its axis";
-    require::that("the rate of the ground below a cylinder that lies", turning, turning == 0.0, rule)?;
+    require::that("the rate of the ground below a lying cylinder", turning, turning == 0.0, rule)?;
     let rule = "zero: a cylinder that lies does not pivot";
     require::that("the lever of pivoting friction", model.pivoting, model.pivoting == 0.0, rule)
 }

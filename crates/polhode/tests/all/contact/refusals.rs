@@ -73,7 +73,7 @@ fn bodies_and_grounds_that_cannot_be_are_refused() {
     assert!(refused(&round, Contact::rolling(lying), across).contains("its own axis alone"));
     let tilted = Rotation::about(Direction::new(1.0, 0.0, 0.0), 1.2).unwrap();
     let tilted = ContactStart::rolling(state(tilted, [0.0, 0.0, 3.0]));
-    assert!(refused(&round, Contact::rolling(lying), tilted).contains("tilt of a cylinder"));
+    assert!(refused(&round, Contact::rolling(lying), tilted).contains("the tilt of a lying cylinder"));
     let needle = InertiaTensor::diagonal([0.1, 0.1, 0.0]).unwrap();
     let needle = MassProperties::new(1.0, Position::ZERO, needle).unwrap();
     assert!(refused(&needle, Contact::rolling(surface(sphere(), [0.0; 3])), start).contains("needle"));

@@ -370,7 +370,7 @@ impl FormatErrorKind {
             Self::Utf16 => Some("save the file as UTF-8, or iconv -f UTF-16 -t UTF-8 FILE > NEW".to_owned()),
             Self::UnknownKey { suggestion, known, .. } => {
                 let meant = suggestion.map_or(String::new(), |key| format!("did you mean {key}? "));
-                Some(format!("{meant}the keys here are {}", known.join(", ")))
+                Some(format!("{meant}the known keys are {}", known.join(", ")))
             }
             Self::MissingKey { example, .. } => Some(format!("write {example}")),
             Self::Conflict { .. } => Some("leave one of them out".to_owned()),

@@ -20,7 +20,7 @@ pub(crate) fn pendulum(root: &Table<'_>, scenario: Scenario) -> Result<Scenario,
         let model = torque.require("model", "model = \"gravity\"")?;
         if model.string()? != "gravity" {
             return Err(model
-                .invalid("\\"gravity\\": gravity is the only torque on a pendulum")
+                .invalid("\"gravity\": gravity is the only torque on a pendulum")
                 .with_hint("leave out this torque, or leave out [pendulum]"));
         }
         if let Some(value) = super::torque::schedule::KEYS.iter().find_map(|key| torque.get(key)) {
@@ -44,14 +44,18 @@ pub(crate) fn pendulum(root: &Table<'_>, scenario: Scenario) -> Result<Scenario,
         Some(value) => match value.positive(Dimension::ANGLE)? {
             angle if angle < PI => Some(angle),
             _ => {
-                return Err(value.invalid("below 180 deg").with_hint("beyond it the body rotates over the top"));
+                return Err(value
+                    .invalid("below 180 deg")
+                    .with_hint("beyond it the body rotates over the top"));
             }
         },
     };
     let direction = Direction::from_array(axis.numbers()?);
     let hung = scenario.suspended_from(Suspension { axis: direction, amplitude });
-    let hung =
-        hung.map_err(|e| axis.motion(e).with_hint("gravity must not be along the axis, and the centre of mass must not be on it"))?;
+    let hung = hung.map_err(|e| {
+        axis.motion(e)
+            .with_hint("gravity must not be along the axis, and the centre of mass must not be on it")
+    })?;
     let pendulum = hung.pendulum().and_then(Result::ok);
     let otherwise = pendulum.and_then(|pendulum| swings_otherwise(&hung, &pendulum));
     let leaves = leaves_its_axis(&hung, direction);
@@ -113,8 +117,7 @@ fn leaves_its_axis(scenario: &Scenario, axis: Direction<polhode::math::Body>) ->
     (!stays).then(|| Finding {
         code: "pendulum.axis",
         severity: Severity::Warning,
-        message: "the run holds the body only at its pivot, so it will leave the pendulum's axis"
-            .to_owned(),
+        message: "the run holds the body only at its pivot, so it will leave the pendulum's axis".to_owned(),
         place: None,
     })
 }

@@ -78,7 +78,7 @@ impl<'a> Table<'a> {
             FormatErrorKind::UnknownKey { key, table: self.name.clone(), suggestion, known: known.to_vec() };
         let error = self.source.error(entry.key.clone(), kind);
         Err(match advice.or(misplaced) {
-            Some(hint) => error.with_hint(hint),
+            Some(hint) => error.with_hint(format!("{hint}; the known keys are {}", known.join(", "))),
             None => error,
         })
     }
@@ -452,12 +452,27 @@ impl<'a> Value<'a> {
 
     /// Returns N quantities in SI units.
     pub fn quantities<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
-        each(self.fixed("numbers or strings with units")?, |value| value.quantity(dimension))
+        let elements = self.fixed("numbers or strings with units");
+        let elements = elements.map_err(|error| error.with_hint_of(self.as_array(N, dimension, "0")))?;
+        each(elements, |value| value.quantity(dimension))
     }
 
     /// Returns N positive quantities in SI units.
     pub fn positives<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
-        each(self.fixed("numbers or strings with units")?, |value| value.positive(dimension))
+        let elements = self.fixed("numbers or strings with units");
+        let elements = elements.map_err(|error| error.with_hint_of(self.as_array(N, dimension, "")))?;
+        each(elements, |value| value.positive(dimension))
+    }
+
+    /// Returns advice to write an array of `n` elements instead of a single quantity, which becomes
+    /// its last element; the others are `filler`, or the same quantity if `filler` is empty.
+    fn as_array(&self, n: usize, dimension: Dimension, filler: &str) -> Option<String> {
+        self.written_quantity(dimension).ok()?;
+        let text = cut(self.source.text.get(self.span())?);
+        let filler = if filler.is_empty() { text.as_str() } else { filler };
+        let mut elements = vec![filler; n.saturating_sub(1)];
+        elements.push(&text);
+        Some(self.write(&format!("[{}]", elements.join(", "))))
     }
 
     /// Returns N finite plain numbers.

@@ -217,7 +217,7 @@ pub enum BodyError {
 impl fmt::Display for BodyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Parameter { what, value, rule } => write!(f, "{what} = {value} must be {rule}"),
+            Self::Parameter { what, value, rule } => write!(f, "{what} = {} must be {rule}", plain(*value)),
             Self::NotSymmetric { element: [i, j], value, mirrored } => {
                 write!(f, "the inertia tensor is not symmetric: I{i}{j} = {value}, but I{j}{i} = {mirrored}")
             }
@@ -354,6 +354,15 @@ pub(crate) fn counted(pairs: usize) -> String {
         1 => "1 pair".to_owned(),
         ..=COUNTED => format!("{pairs} pairs"),
         _ => format!("more than {COUNTED} pairs"),
+    }
+}
+
+/// Formats a number with all digits, without exponent if it is of moderate size.
+fn plain(x: f64) -> String {
+    if x.is_finite() && x != 0.0 && !(1e-9..1e16).contains(&x.abs()) {
+        format!("{x:e}")
+    } else {
+        x.to_string()
     }
 }
 

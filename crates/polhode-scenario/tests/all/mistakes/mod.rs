@@ -52,17 +52,17 @@ fn keys_that_mean_nothing_are_refused() {
     refuses(
         &BALL.replace("radius", "«raduis»"),
         "unknown key \"raduis\" in [[body.part]] of shape \"sphere\"",
-        "did you mean radius? the keys here are name, shape",
+        "did you mean radius? the known keys are name, shape",
     );
     refuses(
         &format!("{BALL}«colour» = 3"),
         "unknown key \"colour\" in [[body.part]] of shape \"sphere\"",
-        "the keys here are name, shape, position, rotate, radius, inner_radius, density, mass, material",
+        "the known keys are name, shape, position, rotate, radius, inner_radius, density, mass, material",
     );
     refuses(
         &format!("«simulation»=1\n{BALL}"),
         "unknown key \"simulation\" in the file",
-        "the keys here are",
+        "the known keys are",
     );
     refuses(
         &format!("{BALL}[start]\n«omega»=1"),
@@ -72,12 +72,12 @@ fn keys_that_mean_nothing_are_refused() {
     refuses(
         &format!("{BALL}[start]\nspin={{«world»=[0,0,1]}}"),
         "unknown key \"world\" in spin",
-        "the keys here are",
+        "the known keys are",
     );
     refuses(
         &format!("{BALL}«thickness» = '2 mm'"),
         "unknown key \"thickness\" in [[body.part]] of shape \"sphere\"",
-        "the keys here are",
+        "the known keys are",
     );
     refuses(
         "[[body.part]]\nshape='disk'\nradius=1\nmass=1\nthickness=«1»",
@@ -165,6 +165,16 @@ fn values_of_the_wrong_type_or_length_are_refused() {
         &position("«[1, 2]»"),
         "position must be an array of 3 numbers or strings with units, not an array of 2",
         "write position = [..., ..., ...]",
+    );
+    refuses(
+        &position("«'1 m'»"),
+        "position must be an array of 3 numbers or strings with units, not a string",
+        "write position = [0, 0, '1 m']",
+    );
+    refuses(
+        "[[body.part]]\nshape = 'box'\nsize = «\"1 m\"»\nmass = 1\n",
+        "size must be an array of 3 numbers or strings with units, not a string",
+        "write size = [\"1 m\", \"1 m\", \"1 m\"]",
     );
     refuses(&position("[1, 2, «{}»]"), "position must be a length, not a table", "write \"25 mm\"");
     refuses(
@@ -471,7 +481,7 @@ fn a_pendulum_swings_under_gravity_alone() {
         format!("{BALL}{gravity}{constant}[pendulum]\naxis=[1,0,0]"),
         format!("{BALL}{constant}[pendulum]\naxis=[1,0,0]"),
     ] {
-        let message = "model = 'constant' must be \\"gravity\\": gravity is the only torque on a pendulum";
+        let message = "model = 'constant' must be \"gravity\": gravity is the only torque on a pendulum";
         refuses(&text, message, "leave out this torque");
     }
     for (times, value) in [("from=«1»", "from = 1"), ("until=«'2 s'»", "until = '2 s'")] {

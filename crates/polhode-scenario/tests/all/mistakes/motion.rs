@@ -142,7 +142,7 @@ fn times_of_torques_are_in_order() {
     refuses(
         &torque("pulses={width=1,period=2,«gap»=1}"),
         "unknown key \"gap\" in pulses",
-        "the keys here are first, width, period, count",
+        "the known keys are first, width, period, count",
     );
     refuses(&torque("pulses=«{width=1}»"), "the key period is missing in pulses", "write period");
     refuses(&torque("pulses={width=«0»,period=2}"), "width = 0 must be positive", "time runs");
@@ -394,7 +394,7 @@ fn events_that_cannot_be_are_refused() {
     refuses(
         &event("measure='time'\nvalue=1\n«between»=['omega','momentum']"),
         "unknown key \"between\" in [[event]]",
-        "the keys here are name, measure, value",
+        "the known keys are name, measure, value",
     );
     refuses(
         &event("measure='time'\nvalue=1\nthen={switch=«'jett'»,on=false}"),
@@ -503,7 +503,7 @@ fn starts_and_times_of_an_orbit_need_one() {
     refuses(
         &format!("{BALL}{orbit}[start]\nrelative_to='orbit'\nspin={{«space»=[0,0,1]}}\n"),
         "unknown key \"space\" in spin",
-        "the keys here are body",
+        "the known keys are body",
     );
     refuses(
         &format!("{BALL}{orbit}[start]\nvelocity=«[1,0,0]»\n"),

@@ -311,4 +311,4 @@ def test_formulas_in_si_are_not_checked() -> None:
     body = polhode.MassProperties(mass=1.0, inertia=[1.0, 2.0, 2.5])
     assert len(polhode.simulate(polhode.Scenario(body, torques=[formula], run=Run(duration=1, samples=3)))) == 3
     checked = FormulaTorque(axes="body", torque=["-0.1*wx + 2", 0, 0])
-    assert "joins" in _message(lambda: polhode.Scenario(body, torques=[checked]))
+    assert "dimensions differ" in _message(lambda: polhode.Scenario(body, torques=[checked]))

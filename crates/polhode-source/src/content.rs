@@ -216,13 +216,13 @@ impl fmt::Display for ContentErrorKind {
             Self::NotFinite { what, found } => write!(f, "{what} {} is not finite", cut(found)),
             // The parser clamps larger indices to these limits.
             Self::Index { what, index: i64::MAX | -9_223_372_036_854_775_807, count } => {
-                write!(f, "a {what} of 18 digits or more does not exist: there are {count}")
+                write!(f, "there is no {what} with a number of 18 digits or more: the file has {count}")
             }
             Self::Index { what, index, count } => {
                 write!(f, "{what} {index} does not exist: there are {count}")
             }
             Self::Count { what, declared, present } => {
-                write!(f, "{declared} {what} are declared, and {present} are there")
+                write!(f, "{declared} {what} are declared, but the file has {present}")
             }
             Self::Value { what, value, rule } => write!(f, "{what} = {} must be {rule}", cut(value)),
             Self::Missing { what } => write!(f, "the file has no {what}"),
@@ -236,8 +236,7 @@ impl fmt::Display for ContentErrorKind {
             Self::Body(error) => error.fmt(f),
             Self::ProductSign { by, negative, positive } => write!(
                 f,
-                "are the products of inertia −∫xy dm or +∫xy dm? By {by} the report is off by {negative:.2e} \
-                 times its rounding with the one and {positive:.2e} times with the other, which proves neither"
+                "the sign convention of the products of inertia is unclear, −∫xy dm or +∫xy dm: according to {by}, the report deviates by {negative:.2e} times its rounding with the first and by {positive:.2e} times with the second"
             ),
         }
     }

@@ -318,7 +318,7 @@ impl fmt::Display for FormatErrorKind {
         match self {
             Self::Io { file, why, .. } => write!(f, "cannot read {file:?}: {why}"),
             Self::NotUtf8 { byte } => {
-                write!(f, "the file is not UTF-8 text: the byte 0x{byte:02X} does not belong")
+                write!(f, "the file is not valid UTF-8 text: invalid byte 0x{byte:02X}")
             }
             Self::Utf16 => f.write_str("the file is text in UTF-16; polhode reads UTF-8"),
             Self::Toml { message } => f.write_str(message),
@@ -360,7 +360,7 @@ impl FormatErrorKind {
             }
             Self::Io { kind: io::ErrorKind::IsADirectory, .. } => Some("name a file in it".to_owned()),
             Self::Io { kind: io::ErrorKind::UnexpectedEof, .. } => {
-                Some("let the program that writes it come to its end first".to_owned())
+                Some("wait until the program that writes it has finished".to_owned())
             }
             Self::Toml { .. } => {
                 Some("a line is key = value, [table] or [[table]]; text is in quotes".to_owned())
@@ -377,13 +377,11 @@ impl FormatErrorKind {
             Self::Unit(e) => e.hint(),
             Self::Formula(e) => e.hint(),
             Self::Mesh { error: BodyError::OpenMesh { .. } | BodyError::Unorientable { .. }, .. } => Some(
-                "close the surface in the tool that made it (vertices that only nearly coincide count as \
-                 different); or take its convex hull by --hull, or a sheet along it by --shell"
+                "close the surface in the tool that made it (vertices that only nearly coincide count as different); or use its convex hull (--hull), or a sheet along it (--shell)"
                     .to_owned(),
             ),
             Self::Mesh { error: BodyError::OverlappingMesh { .. }, .. } => Some(
-                "unite the solids in the tool that made the mesh (boolean union); or take the convex hull of all of \
-                 it by --hull"
+                "unite the solids in the tool that made the mesh (boolean union); or use the convex hull of the whole mesh (--hull)"
                     .to_owned(),
             ),
             Self::Body(e) | Self::Mesh { error: e, .. } => {
@@ -401,29 +399,29 @@ impl FormatErrorKind {
 fn body_hint(error: &BodyError) -> &'static str {
     match error {
         BodyError::Parameter { what: "the torus's tube radius", .. } => {
-            "ring_radius goes to the middle of the tube: a tube wider than its ring overlaps itself"
+            "ring_radius is the radius of the tube's centre line: a tube wider than its ring overlaps itself"
         }
         BodyError::Parameter { what: "the tetrahedron's volume", .. } => {
-            "four corners in one plane bound no solid: move one of them out of it"
+            "the four vertices are in one plane: move one of them out of it"
         }
         BodyError::Parameter {
             what: "the cylinder's inner radius" | "the sphere's inner radius", ..
         } => {
-            "inner_radius is the radius of the cavity: the wall is radius − inner_radius thick; one without thickness is a cylinder_shell or a sphere_shell"
+            "inner_radius is the radius of the cavity: the wall thickness is radius − inner_radius; for a thin wall use cylinder_shell or sphere_shell"
         }
         BodyError::Parameter {
             what: "the triangular plate's area" | "the triangular prism's area", ..
-        } => "three corners on one line enclose no area: move one of them off it",
+        } => "the three vertices are on one line: move one of them off it",
         BodyError::Parameter {
             what: "the larger radius of the cone" | "the larger radius of the conical shell",
             ..
-        } => "a cone has a tip at one end at most: give radius or top_radius a length",
+        } => "a cone has at most one tip: make radius or top_radius positive",
         BodyError::Parameter { what: "the mesh's unit", .. } => "it is in metres: 0.001 for millimetres",
         BodyError::Parameter { value, .. } if !value.is_finite() => {
-            "it is beyond the largest double, 1.8e308: check the units and the exponents"
+            "it is larger than the largest double, 1.8e308: check the units and the exponents"
         }
         BodyError::Parameter { value, .. } if value.abs() < f64::MIN_POSITIVE => {
-            "it is below the smallest double, 2.2e-308: check the units and the exponents"
+            "it is smaller than the smallest double, 2.2e-308: check the units and the exponents"
         }
         BodyError::Empty { what: "particles" } => {
             "give at least one: particles = [{ mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }]"
@@ -441,11 +439,11 @@ fn body_hint(error: &BodyError) -> &'static str {
 fn rotation_hint(error: &RotationError) -> &'static str {
     match error {
         RotationError::Quaternion { .. } => {
-            "no turn at all is quaternion = [1, 0, 0, 0]: the scalar comes first"
+            "the identity is quaternion = [1, 0, 0, 0]: the scalar comes first"
         }
         RotationError::Axis { .. } => "the z axis is [0, 0, 1]; its length does not matter",
         RotationError::Matrix { .. } => {
-            "its columns are the turned axes: of length 1, perpendicular, right-handed, with eight digits or more"
+            "its columns are the rotated axes: length 1, perpendicular, right-handed, with eight digits or more"
         }
         _ => "an angle is finite",
     }

@@ -13,7 +13,7 @@ use crate::files::{Files, Kind, Look, OpenFile};
 /// infinite.
 const LARGEST_STREAM: u64 = 1 << 30;
 
-const SHORTER: &str = "it became shorter while it was read";
+const SHORTER: &str = "it became shorter while it was being read";
 
 /// Reads all bytes of a file; `written` is the path as the user wrote it.
 ///
@@ -76,7 +76,7 @@ pub fn unchanged(now: Look, before: &Look) -> io::Result<()> {
     }
     let is_later = before.changed.zip(now.changed).is_some_and(|(before, now)| before != now);
     if is_later || now.length != before.length {
-        return Err(io::Error::other("it was written to while it was read"));
+        return Err(io::Error::other("it was changed while it was being read"));
     }
     Ok(())
 }
@@ -84,7 +84,7 @@ pub fn unchanged(now: Look, before: &Look) -> io::Result<()> {
 /// Returns the error kind for a file; `written` is its path as the user wrote it.
 pub fn failed(written: &str, error: &io::Error) -> FormatErrorKind {
     let why = match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::NotFound => "the file does not exist".to_owned(),
         io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
         io::ErrorKind::IsADirectory => "it is a directory".to_owned(),
         io::ErrorKind::UnexpectedEof => SHORTER.to_owned(),
@@ -104,7 +104,7 @@ pub fn require_folders(files: &dyn Files, roots: &[PathBuf]) -> Result<(), Forma
     };
     let failed = |root: &PathBuf, error| {
         FormatError::new(root, None, failed(&root.to_string_lossy(), &error))
-            .with_hint("a root is a folder: --root DIR")
+            .with_hint("a root must be a folder: --root DIR")
     };
     roots.iter().try_for_each(|root| require(root).map_err(|error| failed(root, error)))
 }

@@ -54,7 +54,7 @@ impl<'de, T: FromStr<Err = String>> Deserialize<'de> for Given<T> {
             type Value = Given<T>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a text such as an option of the command has, or a number in SI units")
+                f.write_str("a string with a unit, or a number in SI units")
             }
 
             fn visit_str<E: de::Error>(self, text: &str) -> Result<Given<T>, E> {
@@ -169,7 +169,7 @@ pub fn list(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
     let without = text.trim().trim_start_matches('(').replace(')', " ");
     match without.split(',').find(|part| unit::may_be_several(part)) {
         Some(part) => Err(format!(
-            "{part:?} may be several numbers (hint: a comma stands between two numbers, and no space within one)"
+            "{part:?} is ambiguous: one number or several (hint: separate numbers by commas, without spaces inside a number)"
         )),
         None => each(text, dimension),
     }
@@ -194,11 +194,13 @@ pub fn times(text: &str) -> Result<Times, String> {
     }
     let parts: Vec<&str> = text.split([',', ':']).map(str::trim).collect();
     if let Some(part) = parts.iter().find(|part| unit::may_be_several(part)) {
-        return Err(format!("{part:?} may be several numbers (hint: no space stands within a number)"));
+        return Err(format!(
+            "{part:?} is ambiguous: one number or several (hint: write numbers without spaces)"
+        ));
     }
     if let Some((without, with)) = unit::bare_beside_units(parts) {
         return Err(format!(
-            "{with:?} has a unit and {without:?} has none (hint: give each its own, or none)"
+            "{with:?} has a unit, but {without:?} has none (hint: give every number a unit, or none)"
         ));
     }
     let mut all = Vec::new();
@@ -208,12 +210,14 @@ pub fn times(text: &str) -> Result<Times, String> {
             [time] => all.push(time),
             [from, to, step] => all.extend(times::range(from, to, step).ok_or_else(|| {
                 format!(
-                    "{:?} is no range of at most {} times (hint: from:to:step, such as 0:1:0.1)",
+                    "{:?} is not a range with at most {} times (hint: from:to:step, such as 0:1:0.1)",
                     part.trim(),
                     times::MOST
                 )
             })?),
-            _ => return Err(format!("{:?} is no range (hint: from:to:step, such as 0:1:0.1)", part.trim())),
+            _ => {
+                return Err(format!("{:?} is not a range (hint: from:to:step, such as 0:1:0.1)", part.trim()));
+            }
         }
     }
     Ok(Times(all))
@@ -230,7 +234,7 @@ fn each(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
     let numbers = parts.iter().map(|part| quantity(part, dimension)).collect::<Result<Vec<_>, _>>()?;
     match unit::bare_beside_units(parts.iter().map(String::as_str)) {
         Some((without, with)) => Err(format!(
-            "{with:?} has a unit and {without:?} has none (hint: give each its own, or one to all: \"(1, 2) unit\")"
+            "{with:?} has a unit, but {without:?} has none (hint: give every number a unit, or one unit for all: \"(1, 2) unit\")"
         )),
         None => Ok(numbers),
     }
@@ -240,9 +244,9 @@ fn each(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
 pub fn numbers<const N: usize>(text: &str, form: &str, dimension: Dimension) -> Result<[f64; N], String> {
     let found = if text.trim().is_empty() { 0 } else { text.split(',').count() };
     if found != N {
-        return Err(format!("{N} numbers belong here ({form}), not {found}"));
+        return Err(format!("expected {N} numbers ({form}), not {found}"));
     }
-    each(text, dimension)?.try_into().map_err(|_| format!("{N} numbers belong here ({form})"))
+    each(text, dimension)?.try_into().map_err(|_| format!("expected {N} numbers ({form})"))
 }
 
 /// Parses a quaternion, scalar first, of any nonzero length.

@@ -80,7 +80,7 @@ impl<'de> Visitor<'de> for UniqueVisitor {
         while let Some(key) = members.next_key::<String>()? {
             if object.contains_key(&key) {
                 return Err(A::Error::custom(format_args!(
-                    "the key {:?} stands twice in one object",
+                    "duplicate key {:?} in an object",
                     crate::text::cut(&key)
                 )));
             }

@@ -73,14 +73,14 @@ pub fn parse(text: &str, path: &Path) -> Result<Vec<f64>, FormatError> {
             let value =
                 unit::parse(time, Dimension::TIME).map_err(|error| failed(FormatErrorKind::Unit(error)))?;
             if unit::may_be_several(time) {
-                let hint = "write each time on a line of its own, and its digits in one piece";
+                let hint = "write one time per line, without spaces inside a number";
                 return Err(refused("one number".to_owned()).with_hint(hint));
             }
             // The first nonzero line decides for all lines: with units, or all in s.
             let first = *nonzero.get_or_insert(time);
             if let Some((bare, with)) = unit::bare_beside_units([first, time]) {
-                let rule = format!("as the others: {with:?} has a unit and {bare:?} has none");
-                return Err(refused(rule).with_hint("give each time its unit, or write all in s"));
+                let rule = format!("like the others: {with:?} has a unit, but {bare:?} has none");
+                return Err(refused(rule).with_hint("give every time a unit, or write all times in s"));
             }
             nonzero = nonzero.filter(|_| value != 0.0 || times.iter().any(|time| *time != 0.0));
             times.push(value);
@@ -90,9 +90,8 @@ pub fn parse(text: &str, path: &Path) -> Result<Vec<f64>, FormatError> {
     if times.is_empty() {
         let (key, expected) = ("the file".to_owned(), "a list of times, one per line".to_owned());
         let kind = FormatErrorKind::WrongType { key, expected, found: "an empty one".to_owned() };
-        return Err(
-            FormatError::new(path, None, kind).with_hint("a line is a time in s, such as 0.5, or 3 d")
-        );
+        return Err(FormatError::new(path, None, kind)
+            .with_hint("each line is a time in s, such as 0.5, or with a unit, such as 3 d"));
     }
     Ok(times)
 }

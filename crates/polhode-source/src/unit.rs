@@ -305,7 +305,7 @@ impl UnitError {
                 Some("g is the gram; for standard gravity write g0".to_owned())
             }
             Self::WrongDimension { found, expected, .. } if expected.is_weight_of(*found) => {
-                Some("lb, oz and kg are masses; the forces are lbf, ozf, kgf and N".to_owned())
+                Some("lb, oz and kg are units of mass; units of force are lbf, ozf, kgf and N".to_owned())
             }
             Self::WrongDimension { expected, .. } => {
                 expected.example().map(|example| format!("write {expected}, such as \"{example}\""))
@@ -320,7 +320,7 @@ impl UnitError {
         match self {
             Self::WrongDimension { expected, .. } => expected
                 .example()
-                .map(|example| format!("name a unit of {expected}, such as {}", unit_of(example))),
+                .map(|example| format!("write a unit of {expected}, such as {}", unit_of(example))),
             _ => self.hint(),
         }
     }
@@ -334,7 +334,7 @@ impl fmt::Display for UnitError {
             Self::Underflow { text } => {
                 write!(f, "{} is smaller than any double and would become zero", quoted(text))
             }
-            Self::UnknownUnit { unit, .. } => write!(f, "there is no unit {}", quoted(unit)),
+            Self::UnknownUnit { unit, .. } => write!(f, "unknown unit {}", quoted(unit)),
             Self::Malformed { unit, rule } => write!(f, "{} is not a unit: {rule}", quoted(unit)),
             // N m and J are the same unit, of a torque and of an energy.
             Self::WrongDimension { unit, found: Dimension::TORQUE, expected } => {
@@ -403,7 +403,7 @@ impl<'a> Product<'a> {
         product.product(false)?;
         match product.rest {
             "" => Ok(product.factors),
-            _ => Err(product.malformed("a parenthesis closes that was not opened")),
+            _ => Err(product.malformed("unmatched closing parenthesis")),
         }
     }
 
@@ -417,7 +417,7 @@ impl<'a> Product<'a> {
                 factor.power = factor.power.saturating_mul(power);
             }
             if self.factors.iter().any(|f| f.power.saturating_abs() > Self::MAX_POWER) {
-                return Err(self.malformed("a power goes from -9 to 9"));
+                return Err(self.malformed("powers are from -9 to 9"));
             }
             if self.factors.len() > Self::MAX_FACTORS {
                 return Err(self.malformed("a product has at most seven factors"));
@@ -446,18 +446,18 @@ impl<'a> Product<'a> {
     fn factor(&mut self, inside: bool) -> Result<(), UnitError> {
         if let Some(rest) = self.rest.strip_prefix('(') {
             if inside {
-                return Err(self.malformed("parentheses do not nest"));
+                return Err(self.malformed("parentheses cannot be nested"));
             }
             self.rest = rest;
             self.product(true)?;
             let Some(rest) = self.rest.strip_prefix(')') else {
-                return Err(self.malformed("a parenthesis is not closed"));
+                return Err(self.malformed("unclosed parenthesis"));
             };
             self.rest = rest;
             return Ok(());
         }
         match self.take(|c| c.is_alphabetic() || c.is_ascii_digit() || c == '°') {
-            "" => Err(self.malformed("it is names joined by a space, \"*\", \"·\" or \"/\"")),
+            "" => Err(self.malformed("write unit names joined by a space, \"*\", \"·\" or \"/\"")),
             name => {
                 let unit = Unit::named(name).ok_or_else(|| UnitError::UnknownUnit {
                     unit: name.to_owned(),
@@ -486,7 +486,7 @@ impl<'a> Product<'a> {
                 raised => raised.chars().map(lowered).collect(),
             },
         };
-        digits.parse().map_err(|_| self.malformed("a power is a whole number, such as ^2 or ^-1"))
+        digits.parse().map_err(|_| self.malformed("a power is an integer, such as ^2 or ^-1"))
     }
 
     /// Reads the characters that satisfy a condition.

@@ -341,7 +341,7 @@ fn meshes_are_found_under_the_roots_that_are_given() {
     printed(&scratch.run(&["check", "arm.urdf", "--strict"]), 1);
     for root in ["nowhere", "arm.urdf"] {
         let error = refused(&scratch.run(&["check", "arm.urdf", "--root", root]), 2);
-        assert!(error.contains("a root is a folder"), "{error}");
+        assert!(error.contains("a root must be a folder:"), "{error}");
     }
     let with = ["check", "arm.urdf", "--root", "packages", "--strict"];
     let text = printed(&scratch.run(&with), 0);

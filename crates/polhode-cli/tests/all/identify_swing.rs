@@ -200,7 +200,7 @@ fn flags_that_say_too_little_or_too_much_are_refused() {
         ("103.2 s ± 0.2 s", "103.2 s ± 0.2 m", "a length where a time belongs"),
         ("50", "fifty", "must be a positive number"),
         ("18 deg, 15 deg ± 0.3 deg", "18 deg, 17 deg, 15 deg ± 0.3 deg", "takes one angle, or two"),
-        ("2 kg ± 1 g", "2 kgg", "there is no unit"),
+        ("2 kg ± 1 g", "2 kgg", "unknown unit"),
         ("--bifilar", "--pendulum", "but --pendulum has none"),
     ] {
         let text = refused(&scratch.run(&instead(from, to)), 2);

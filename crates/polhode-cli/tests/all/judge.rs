@@ -338,7 +338,7 @@ fn a_run_of_another_scenario_is_refused() {
     stdout(&scratch.run(&["judge", "tumbling.toml", "run.jsonl"]));
     scratch.write("run.jsonl", &lines.replacen("{\"t\": 0.02", "{\"t\": 0.01, \"t\": 0.02", 1));
     let error = refused(&scratch.run(&["judge", "tumbling.toml", "run.jsonl"]), 2);
-    assert!(error.contains("stands twice in one object") && error.contains("run.jsonl:2:"), "{error}");
+    assert!(error.contains("duplicate key") && error.contains("run.jsonl:2:"), "{error}");
 }
 
 #[test]

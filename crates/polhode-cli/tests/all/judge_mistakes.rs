@@ -166,7 +166,7 @@ fn a_scenario_that_cannot_be_compared_is_another_one() {
     // Invalid roots.
     for root in ["nowhere", "tumbling.toml"] {
         let error = refused(&given("one/tumbling.toml", &["--root", root]), 2);
-        assert!(error.contains(root) && error.contains("a root is a folder"), "{error}");
+        assert!(error.contains(root) && error.contains("a root must be a folder:"), "{error}");
     }
 }
 

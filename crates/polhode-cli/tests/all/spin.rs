@@ -295,7 +295,7 @@ fn bad_input_says_what_is_wrong() {
         (vec!["--moments", "1,2 m,3", "--omega", "1,2,3"], "a moment of inertia"),
         (vec!["--moments", "1,2,3"], "--omega is missing"),
         (vec!["body.toml", "--moments", "1,2,3"], "cannot be used with"),
-        (vec!["nowhere.toml"], "no such file"),
+        (vec!["nowhere.toml"], "the file does not exist"),
         (vec!["nowhere.toml", "--allow-unphysical"], "cannot be used with"),
     ] {
         let text = refused(&spin(&scratch, &arguments));

@@ -166,7 +166,7 @@ fn mistakes_of_plans_have_their_place() {
             "wrench = 'on sensor'\nnoise = { force = '1 kg', torque = '1 N m' }\n",
             [4, 19],
             "\"kg\" is a mass where a force belongs",
-            "the forces are lbf",
+            "lb, oz and kg are units",
         ),
         ("wrench = 'on sensor'\nmotion_noise = { alpha = '-1 rad/s^2' }\n", [4, 26], "zero or positive", ""),
         (

@@ -63,7 +63,7 @@ fn a_mesh_is_found_beside_its_scenario() {
     for (unit, message) in [
         ("kg", "\"kg\" is a mass where a length belongs"),
         ("1 mm", "unit = '1 mm' must be the name of a unit of length"),
-        ("mmm", "there is no unit \"mmm\""),
+        ("mmm", "unknown unit \"mmm\""),
     ] {
         let error = scenario::parse(&text.replace("'mm'", &format!("'{unit}'")), &path).unwrap_err();
         assert_eq!((error.message().as_str(), error.place().unwrap().line), (message, 4));
@@ -119,7 +119,7 @@ fn a_scenario_in_memory_is_the_one_on_the_disk() {
     assert_eq!(read("in/a.toml").unwrap().scenario.body(), on_disk.body());
     // A file that is on the disk is not in memory.
     let error = read(folder.join("part.stl").to_str().unwrap()).unwrap_err();
-    assert!(error.message().contains("there is no such file"), "{error}");
+    assert!(error.message().contains("the file does not exist"), "{error}");
     let other = Memory::from([("in/a.toml", text)]);
     let error = scenario::ScenarioFile::read(&other, "in/a.toml".as_ref()).unwrap_err();
     assert!(error.to_string().starts_with("in/a.toml:3:8: file = 'part.stl' must be"), "{error}");
@@ -135,7 +135,7 @@ fn files_that_cannot_be_read_say_so() {
         (error.to_string().replace(&format!("{}/", folder.display()), ""), error.hint().unwrap_or_default())
     };
     let (message, hint) = mesh("missing.stl");
-    assert_eq!(message, "x.toml:3:8: cannot read \"missing.stl\": there is no such file");
+    assert_eq!(message, "x.toml:3:8: cannot read \"missing.stl\": the file does not exist");
     assert!(hint.starts_with("paths are relative to the scenario"), "{hint}");
     assert_eq!(mesh("").0, "x.toml:3:8: file = \"\" must be a path");
     assert!(mesh("a\\u0000b.stl").0.starts_with("x.toml:3:8: cannot read \"a\\0b.stl\": "));
@@ -169,7 +169,7 @@ fn files_that_cannot_be_read_say_so() {
     assert!(read("part.stl").message().ends_with("it is a directory"));
     fs::write(folder.join("latin1.toml"), b"title = 'x'\n# caf\xe9\n").unwrap();
     let latin = read("latin1.toml");
-    assert_eq!(latin.message(), "the file is not UTF-8 text: the byte 0xE9 does not belong");
+    assert_eq!(latin.message(), "the file is not valid UTF-8 text: invalid byte 0xE9");
     assert_eq!(latin.place().map(|p| (p.line, p.column)), Some((2, 6)));
     assert_eq!(latin.hint().as_deref(), Some("save the file as UTF-8"));
     fs::write(folder.join("empty.toml"), b"").unwrap();

@@ -108,9 +108,9 @@ fn what_is_neither_is_named() {
         assert!(error.to_string().contains(message) && advice.contains(hint), "{error}\n{advice}");
     };
     let density = |text: &str| format!("{BOX}density = '{text}'\n");
-    refused(&density("2700*(1 + 0.1*u)"), "there is no variable u", "the variables are x, y, z");
+    refused(&density("2700*(1 + 0.1*u)"), "unknown variable u", "the variables are x, y, z");
     refused(&density("2700*(1 + 0.1*x"), "formula", "");
-    refused(&density("sqr(2)"), "there is no function sqr", "did you mean sqrt?");
+    refused(&density("sqr(2)"), "unknown function sqr", "did you mean sqrt?");
     refused(&density("1 - 20*x"), "density at", "");
     refused(&density("1/(x - x)"), "density at", "");
     // meant as quantities

@@ -64,13 +64,13 @@ fn formulas_of_the_time_are_read() {
 #[test]
 fn what_is_no_formula_and_no_motion_is_refused() {
     // Angles are plain numbers, and the time is not.
-    refuses("[prescribed]\nangles = ['sin(t)', 0, 0]", "sin takes a plain number, not a time", "");
+    refuses("[prescribed]\nangles = ['sin(t)', 0, 0]", "sin needs a number without unit, not a time", "");
     refuses(
         "[prescribed]\nomega = { body = ['2', 0, 0] }",
         "the value is a plain number, where an angular",
         "",
     );
-    refuses("[prescribed]\nangles = ['2*x', 0, 0]", "there is no variable x", "the variables are t");
+    refuses("[prescribed]\nangles = ['2*x', 0, 0]", "unknown variable x", "the variables are t");
     refuses(
         "[prescribed]\nangles = [1, 0]",
         "angles must be an array of 3 formulas of t",
@@ -171,7 +171,7 @@ fn a_wrong_table_is_shown_where_it_is_wrong() {
         (rows("3,1,0.3,0"), "motion.csv:7:1: the line = 3,1,0.3,0 must be 5 fields long"),
         (rows("3,1,0.3,0,zero"), "motion.csv:7:11: expected a number, found \"zero\""),
         (rows("3,1,inf,0,0"), "motion.csv:7:5: the number inf is not finite"),
-        (rows("2,1,0.3,0,0"), "motion.csv:7:1: time_s = 2 must be after that of the row before"),
+        (rows("2,1,0.3,0,0"), "motion.csv:7:1: time_s = 2 must be after the time of the previous row"),
         (rows("3,0,0,0,0"), "motion.csv:7:1: the attitude = 3,0,0,0,0 must be a quaternion that is not zero"),
         ("time_s,x\n0,1\n".to_owned(), "motion.csv: the file has no columns of the motion"),
         ("x,y\n0,1\n".to_owned(), "motion.csv: the file has no column time_s"),
@@ -196,7 +196,7 @@ fn a_wrong_table_is_shown_where_it_is_wrong() {
         assert!(error.to_string().contains(says), "{error}");
     }
     let missing = parse("[prescribed]\ntable = 'nowhere.csv'").unwrap_err();
-    assert!(missing.message().contains("there is no such file"));
+    assert!(missing.message().contains("the file does not exist"));
     assert!(missing.hint().unwrap().starts_with("paths are relative to the scenario"));
 }
 
@@ -239,7 +239,7 @@ fn a_shaft_that_cannot_be_is_refused() {
     );
     refuses(&balance("[0, 1]", "[1]"), "radii = [1] must be as many as there are planes", "each plane");
     refuses(&balance("[1, 1]", "[1, 1]"), "the distance between the planes = 0 must be", "");
-    refuses(&balance("[0, 1]", "[1, 0]"), "radii = 0 must be positive", "a size has no sign");
+    refuses(&balance("[0, 1]", "[1, 0]"), "radii = 0 must be positive", "a size is positive;");
     refuses(
         &format!("{SHAFT}[prescribed]\naxis = [0, 0, 1]\nrate = 1"),
         "shaft and prescribed are both given: a shaft turns at its rate",

@@ -90,7 +90,7 @@ fn mistakes_have_their_place() {
         (format!("{head}0,1,2\n"), "4 fields long"),
         (format!("{head}0,1,2,nan\n"), "nan"),
         (format!("{head}0,1,x,3\n"), "a number"),
-        (format!("{head}0,1,2,3\n0,1,2,3\n"), "after that of the row before"),
+        (format!("{head}0,1,2,3\n0,1,2,3\n"), "after the time of the previous row"),
         (format!("{head}0,1,2,3\n"), "at least 2"),
         ("PAR1 and no more".to_owned(), "this Parquet file"),
     ] {

@@ -36,7 +36,7 @@ use super::scan::Scan;
 /// assert_eq!(contents.parts[0].mesh.triangles()[3], [2, 0, 3]);
 ///
 /// let error = read(&text[..text.len() - 8]).unwrap_err();
-/// assert_eq!(error.kind.to_string(), "4 faces are declared, and 3 are there");
+/// assert_eq!(error.kind.to_string(), "4 faces are declared, but the file has 3");
 /// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///

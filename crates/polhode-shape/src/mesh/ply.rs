@@ -49,7 +49,7 @@ use values::{Ascii, Binary, Stop, Values};
 /// assert_eq!(contents.parts[0].mesh.coordinates()[1], [1.7, 0.0, -2.5e-3]);
 ///
 /// let error = read(&text[..text.len() - 10]).unwrap_err();
-/// assert_eq!(error.kind.to_string(), "3 corners are declared, and 2 are there");
+/// assert_eq!(error.kind.to_string(), "3 corners are declared, but the file has 2");
 /// # Ok::<(), polhode_source::ContentError>(())
 /// ```
 ///

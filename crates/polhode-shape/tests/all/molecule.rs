@@ -322,10 +322,10 @@ fn malformed_xyz_files_say_where() {
         ("99999999999\n\nC 0 0 0\n", "f:1:1: 99999999999 atoms are declared, and 1 are there", "truncated"),
         (
             "1\n\nC 0 0 0\nO 0 0 1\nO 0 0 2\n",
-            "f:1:1: 1 atoms are declared, and 3 are there",
+            "f:1:1: 1 atoms are declared, but the file has 3",
             "correct the number",
         ),
-        ("1\n\n8 0 0 0\n8 0 0 1\n", "f:1:1: 1 atoms are declared, and 2 are there", "correct the number"),
+        ("1\n\n8 0 0 0\n8 0 0 1\n", "f:1:1: 1 atoms are declared, but the file has 2", "correct the number"),
         ("1\n\nC 0 0 0\nbonds\n", "f:4:1: expected the number of atoms of another frame", ""),
         ("1\n\nC 0 0,5 0\n", "f:3:5: expected the coordinate y, found \"0,5\"", "use a decimal point"),
         ("1\n\nC 0 nan 0\n", "f:3:5: the coordinate y nan is not finite", ""),
@@ -365,7 +365,7 @@ fn malformed_tables_and_columns_say_where() {
         (one.replace("V2000", "V4000"), "f:4:35: expected V2000 or V3000 in columns 35 to 39", "line 4"),
         (
             counts("100  0  0     0  0            999") + atom,
-            "f:4:1: 100 atoms are declared, and 1 are there",
+            "f:4:1: 100 atoms are declared, but the file has 1",
             "cut",
         ),
         (one.clone() + &shifted, "f:5:", "columns 1 to 10"),

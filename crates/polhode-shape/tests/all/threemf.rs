@@ -285,7 +285,7 @@ fn a_model_that_contradicts_itself() {
         (
             "<model",
             "<!DOCTYPE model [<!ENTITY a \"b\">]>\n<model",
-            "2: polhode does not read XML with a document type: packages forbid it",
+            "2: polhode does not read XML with a document type declaration, which packages must not have",
         ),
         ("core/2015/02", "core/2013/01", "2: expected one model element of 3MF, found \"model\""),
         ("</build>\n</model>", "</build>\n", "28: expected the end of an element, found the end of the file"),
@@ -340,7 +340,7 @@ fn archives_that_are_broken() {
         error(&twice),
         "entry 1 of the archive: the name of an entry = 3d/3DMODEL.model must be there once"
     );
-    let shared = "the archive = entries that share a name or bytes must be entries of their own";
+    let shared = "the archive = entries with the same name or overlapping bytes must be entries of their own";
     let overlapping = stored(&[(MODEL, text.as_bytes()), ("3D/copy.model", text.as_bytes())], |_, _| 0);
     assert_eq!(error(&overlapping), shared);
     let twice = stored(&[(MODEL, text.as_bytes()), (MODEL, text.as_bytes())], |_, at| at);
@@ -361,7 +361,7 @@ fn both_descriptions_of_an_entry_say_the_same() {
         let mut bytes = whole.clone();
         bytes[at] ^= 4;
         let error = read(&bytes).unwrap_err();
-        assert!(error.to_string().contains(&format!("the {what} in front of the entry = ")), "{error}");
+        assert!(error.to_string().contains(&format!("the {what} in the entry's local header = ")), "{error}");
         assert!(
             error.to_string().contains("that of the archive's directory") && error.hint.is_some(),
             "{error}"

@@ -273,11 +273,11 @@ fn every_wrong_npy_header_is_named() {
         ),
         (
             "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 3, 5)}",
-            "30 bytes of voxels are declared, and 24",
+            "30 bytes of voxels are declared, but the file has 24",
         ),
         (
             "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 3, 3)}",
-            "18 bytes of voxels are declared, and 24",
+            "18 bytes of voxels are declared, but the file has 24",
         ),
         ("{'descr': '|u1', 'fortran_order': False, 'shape': (2, 0, 3)}", "has no voxels"),
         (
@@ -322,7 +322,11 @@ fn every_wrong_nrrd_header_is_named_in_its_line() {
         ("type: uchar\n", "", "has no field type"),
         ("type: uchar", "type: short", "has no field endian"),
         ("type: uchar", "type: short\nendian: middle", "little or big"),
-        ("type: uchar", "type: short\nendian: little", "48 bytes of voxels are declared, and 24"),
+        (
+            "type: uchar",
+            "type: short\nendian: little",
+            "48 bytes of voxels are declared, but the file has 24",
+        ),
         ("dimension: 3\nsizes", "dimension: 4\nsizes", "the dimension = 4 must be 3"),
         ("2 3 4", "2 3", "three whole numbers"),
         ("2 3 4", "2 3 4 1", "three whole numbers"),

@@ -45,7 +45,7 @@ pub fn numbers<const N: usize>(
     places: &[usize],
 ) -> Result<[f64; N], ContentError> {
     if fields.len() != width {
-        let rule = format!("{width} fields long, as the header is; it has {}", fields.len());
+        let rule = format!("{width} fields long, like the header; it has {}", fields.len());
         return Err(value("the line", &text[line.clone()], &rule, line.clone()));
     }
     let mut row = [0.0; N];
@@ -58,7 +58,7 @@ pub fn numbers<const N: usize>(
 /// Checks that the time of a row is later than the time of the row before.
 pub fn ascending(times: &[f64], time: f64, line: Range<usize>) -> Result<(), ContentError> {
     match times.last().is_some_and(|last| time <= *last) {
-        true => Err(value("time_s", &time.to_string(), "after that of the row before", line)),
+        true => Err(value("time_s", &time.to_string(), "after the time of the previous row", line)),
         false => Ok(()),
     }
 }

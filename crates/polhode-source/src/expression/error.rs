@@ -114,12 +114,12 @@ impl ExpressionError {
         match &self.kind {
             Kind::UnknownVariable { suggestion: Some(name), .. } => Some(format!("did you mean {name}?")),
             Kind::UnknownVariable { known, .. } if known.is_empty() => {
-                Some("there are no variables here".to_owned())
+                Some("this formula has no variables".to_owned())
             }
             Kind::UnknownVariable { known, .. } => Some(format!("the variables are {}", known.join(", "))),
             Kind::UnknownFunction { suggestion: Some(name), .. } => Some(format!("did you mean {name}?")),
             Kind::UnknownFunction { name, .. } => Some(format!(
-                "there are {}; a product is written {name}*(…)",
+                "the functions are {}; a product is written {name}*(…)",
                 function::FUNCTIONS.map(|f| f.name).join(", ")
             )),
             Kind::ChainedComparison => Some("write 0 < x and x < 1".to_owned()),
@@ -138,7 +138,7 @@ impl ExpressionError {
                 Some("a condition is a comparison, such as t < 3 s".to_owned())
             }
             Kind::NotPlain { found, .. } | Kind::BrokenPower { found, .. } => {
-                example(*found).map(|unit| format!("divide by a quantity like it, such as {unit}"))
+                example(*found).map(|unit| format!("divide by a quantity of the same dimension, such as {unit}"))
             }
             Kind::Value { found, expected } if *found == Dimension::NONE => {
                 example(*expected).map(|unit| with_unit(&unit))
@@ -146,12 +146,12 @@ impl ExpressionError {
             Kind::Value { found, expected } => example(expected.times(found.without_angle(), -1))
                 .map(|unit| format!("a factor is missing, such as {unit}")),
             Kind::Expected { found, .. } if found == "[" => Some(
-                "a unit stands after a number, where dimensions are checked; else numbers are in SI"
+                "write a unit only after a number, and only where dimensions are checked; otherwise numbers are in SI units"
                     .to_owned(),
             ),
             Kind::Expected { found, .. } if found == "*" => Some("a power is written x^2".to_owned()),
             Kind::Expected { found, .. } if found == "=" || found == "!" || found == "&" || found == "|" => {
-                Some("there are <, <=, > and >=, and, or, and if(condition, then, else)".to_owned())
+                Some("the operators are <, <=, > and >=, and, or, and if(condition, then, else)".to_owned())
             }
             Kind::Expected { what, found } if what.starts_with("an operator") => match found.chars().next() {
                 Some(c) if c.is_alphanumeric() || c == '(' || c == '.' => {
@@ -173,24 +173,28 @@ impl fmt::Display for ExpressionErrorKind {
             }
             Self::Expected { what, found } => write!(f, "expected {what}, found {:?}", cut(found)),
             Self::Number { found } => write!(f, "{} is beyond the range of a double", cut(found)),
-            Self::UnknownVariable { name, .. } => write!(f, "there is no variable {}", cut(name)),
-            Self::UnknownFunction { name, .. } => write!(f, "there is no function {}", cut(name)),
+            Self::UnknownVariable { name, .. } => write!(f, "unknown variable {}", cut(name)),
+            Self::UnknownFunction { name, .. } => write!(f, "unknown function {}", cut(name)),
             Self::Arguments { function, takes, given } => {
                 write!(f, "{function} takes {}, not {given}", counted(*takes, "argument"))
             }
             Self::TooLong { most } => write!(f, "a formula has up to {most} characters"),
             Self::Unit(error) => error.fmt(f),
-            Self::Unequal { operation, left, right } => write!(f, "{operation} joins {left} and {right}"),
-            Self::NotPlain { function, found } => write!(f, "{function} takes a plain number, not {found}"),
+            Self::Unequal { operation, left, right } => {
+                write!(f, "{operation} of {left} and {right}: the dimensions differ")
+            }
+            Self::NotPlain { function, found } => {
+                write!(f, "{function} needs a number without unit, not {found}")
+            }
             Self::BrokenPower { function, found } => {
-                write!(f, "{function} of {found} leaves no whole powers of kg, m and s")
+                write!(f, "{function} of {found} has no integer powers of kg, m and s")
             }
             Self::Value { found, expected } => write!(f, "the value is {found}, where {expected} belongs"),
             Self::BareAngle { operation, found } => {
                 write!(f, "{operation} compares an angle with {found}, which has no unit")
             }
             Self::NoCondition => write!(f, "this is a number, where a condition belongs"),
-            Self::ChainedComparison => write!(f, "a comparison cannot be compared"),
+            Self::ChainedComparison => write!(f, "the result of a comparison cannot be compared"),
         }
     }
 }
@@ -210,5 +214,5 @@ fn example(dimension: Dimension) -> Option<String> {
 }
 
 fn with_unit(example: &str) -> String {
-    format!("a number has its unit behind it, such as {}", example.replace('[', " ").replace(']', ""))
+    format!("write the unit after the number, such as {}", example.replace('[', " ").replace(']', ""))
 }

@@ -39,7 +39,7 @@ pub use state::{formula_of_state, formula_of_state_in_si, formula_of_time};
 /// assert_eq!(density.evaluate([2.0, 0.0, 1.0]), 2700.0 - 1200.0 + 40.0);
 ///
 /// let error = Expression::parse("2700 + sqr(x)", &["x", "y", "z"]).unwrap_err();
-/// assert_eq!(error.to_string(), "column 8: there is no function sqr");
+/// assert_eq!(error.to_string(), "column 8: unknown function sqr");
 /// assert_eq!(error.hint().unwrap(), "did you mean sqrt?");
 /// # Ok::<(), polhode_source::expression::ExpressionError>(())
 /// ```
@@ -107,7 +107,7 @@ impl polhode::body::density::DensityField for Expression {
 /// assert!((torque.evaluate(&[1.0, 0.5]) - (-0.15 + 0.002)).abs() < 1e-16);
 ///
 /// let error = measured("wx + 2", &variables, None).unwrap_err();
-/// assert_eq!(error.to_string(), "column 4: + joins an angular velocity and a plain number");
+/// assert_eq!(error.to_string(), "column 4: + of an angular velocity and a plain number: the dimensions differ");
 /// assert_eq!(error.hint().unwrap(), "a number has its unit behind it, such as 30 deg/s");
 /// # Ok::<(), polhode_source::expression::ExpressionError>(())
 /// ```

@@ -71,9 +71,10 @@ impl<'a> Archive<'a> {
             }
         }
         if zip.has_duplicate_names() || zip.has_overlapping_entries().map_err(fail)? {
-            let (what, value) = ("the archive".to_owned(), "entries that share a name or bytes".to_owned());
+            let (what, value) =
+                ("the archive".to_owned(), "entries with the same name or overlapping bytes".to_owned());
             let kind = ContentErrorKind::Value { what, value, rule: "entries of their own".to_owned() };
-            let hint = "the file is damaged or made to do harm";
+            let hint = "the file is damaged or malicious";
             return Err(ContentError::new(kind, ContentPlace::Whole).hint(hint));
         }
         for k in 0..zip.len() {
@@ -148,10 +149,10 @@ fn require_agreement(bytes: &[u8], entry: &ZipFile<'_, Cursor<&[u8]>>) -> Result
     let start = usize::try_from(entry.header_start()).unwrap_or(usize::MAX);
     let rest = bytes.get(start..).unwrap_or_default();
     let refuse = |what: &str, value: String, rule: String| {
-        let what = format!("the {what} in front of the entry");
+        let what = format!("the {what} in the entry's local header");
         let place = ContentPlace::Within(String::from_utf8_lossy(entry.name_raw()).into_owned());
         Err(ContentError::new(ContentErrorKind::Value { what, value, rule }, place)
-            .hint("the file is damaged or made to do harm; export it again"))
+            .hint("the file is damaged or malicious; export it again"))
     };
     let Some(header) = rest.first_chunk::<LENGTH>() else {
         return refuse("header", "cut short".to_owned(), format!("{LENGTH} bytes long"));
@@ -209,6 +210,5 @@ fn failed(error: &ZipError, place: ContentPlace) -> ContentError {
             ContentErrorKind::Value { what, value, rule: "a whole ZIP archive".to_owned() }
         }
     };
-    ContentError::new(kind, place)
-        .hint("the file is cut short or damaged, or is none of its kind; export it again")
+    ContentError::new(kind, place).hint("the file is truncated, damaged or of another type; export it again")
 }

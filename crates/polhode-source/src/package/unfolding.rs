@@ -59,9 +59,9 @@ impl Budget {
     /// Returns the error for a file that exceeds the budget.
     pub fn exhausted(&self, place: String) -> ContentError {
         let kind = ContentErrorKind::Unsupported {
-            what: format!("a file of this size that unfolds to more than {} MiB", self.limit >> 20),
+            what: format!("a file of this size that expands to more than {} MiB", self.limit >> 20),
         };
         ContentError::new(kind, ContentPlace::Within(place))
-            .hint("a few bytes stand for very many here: the file is damaged or made to do harm")
+            .hint("a few bytes stand for very many here: the file is damaged or malicious")
     }
 }

@@ -73,7 +73,7 @@ impl<'s, 'a> Xml<'s, 'a> {
             }
             Ok(Event::Eof) => Ok(Token::Eof),
             Ok(Event::DocType(_)) => {
-                let what = "XML with a document type: packages forbid it".to_owned();
+                let what = "XML with a document type declaration, which packages must not have".to_owned();
                 Err(self.error(ContentErrorKind::Unsupported { what }))
             }
             Ok(Event::Text(text)) => Ok(Token::Text(text.into_inner())),
@@ -182,7 +182,7 @@ impl<'s, 'a> Xml<'s, 'a> {
 
     fn broken(&self, error: &Error) -> ContentError {
         let (what, rule) = match error {
-            Error::Io(_) => ("the entry", "one that unpacks to the end"),
+            Error::Io(_) => ("the entry", "an entry that decompresses completely"),
             Error::Encoding(_) => ("the text", "UTF-8"),
             _ => ("the XML", "well-formed"),
         };

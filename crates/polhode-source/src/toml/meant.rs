@@ -19,11 +19,15 @@ const KEYS: [(&str, &str, &str); 57] = [
         "semi_major_axis",
         "write altitude = \"400 km\": above the Earth's equatorial radius, 6378.137 km",
     ),
-    ("central_body", "mu", "write mu = \"398600.44 km^3/s^2\", of the body that it goes round"),
+    ("central_body", "mu", "write mu = \"398600.44 km^3/s^2\", the value of the central body"),
     ("raan", "node", "write node: the longitude of the ascending node"),
-    ("period", "semi_major_axis", "write rate = \"0.0011 rad/s\", of a circle: 2π over the period"),
-    ("mean_motion", "rate", "write rate = \"0.0011 rad/s\", of a circle"),
-    ("diameter", "radius", "write radius, half of the diameter"),
+    (
+        "period",
+        "semi_major_axis",
+        "write rate = \"0.0011 rad/s\", for a circular orbit: 2π divided by the period",
+    ),
+    ("mean_motion", "rate", "write rate = \"0.0011 rad/s\", for a circular orbit"),
+    ("diameter", "radius", "write radius, half the diameter"),
     ("scale", "unit", "write unit = \"mm\", the unit of length of the file"),
     ("units", "unit", "write unit = \"mm\", the unit of length of the file"),
     ("orientation", "rotate", "write rotate = { axis = [0, 0, 1], angle = \"90 deg\" }"),
@@ -32,14 +36,14 @@ const KEYS: [(&str, &str, &str); 57] = [
     ("rotation", "attitude", "write attitude = { axis = [0, 0, 1], angle = \"90 deg\" }"),
     ("omega", "spin", SPIN),
     ("angular_velocity", "spin", SPIN),
-    ("angular_momentum", "spin", "write spin = { momentum = [0, 0, \"4 N m s\"] }, along the axes of space"),
+    ("angular_momentum", "spin", "write spin = { momentum = [0, 0, \"4 N m s\"] }, in space axes"),
     ("com", "center_of_mass", "write center_of_mass = [0, 0, \"10 mm\"]"),
     ("principal_moments", "moments", "write moments = [\"1 kg m^2\", \"2 kg m^2\", \"2.5 kg m^2\"]"),
     ("tensor", "inertia", "write inertia, a matrix of three rows"),
     ("t_end", "duration", "write duration = \"20 s\""),
     ("time", "duration", "write duration = \"20 s\""),
-    ("dt", "every", "write every = \"10 ms\": when it is sampled; its steps the method chooses"),
-    ("time_step", "every", "write every = \"10 ms\": when it is sampled; its steps the method chooses"),
+    ("dt", "every", "write every = \"10 ms\", the sample interval; the method chooses its own steps"),
+    ("time_step", "every", "write every = \"10 ms\", the sample interval; the method chooses its own steps"),
     ("integrator", "method", "write method = \"auto\""),
     ("type", "model", "write model = \"constant\", or another model"),
     ("kind", "model", "write model = \"constant\", or another model"),
@@ -72,18 +76,18 @@ const KEYS: [(&str, &str, &str); 57] = [
         "torque",
         "write axes = \"space\" and, on the next line, torque = [\"0 N m\", \"0 N m\", \"0.1 N m\"]",
     ),
-    ("damping", "coefficient", "how much a torque damps is its coefficient"),
+    ("damping", "coefficient", "write coefficient, the damping coefficient of the torque"),
 ];
 
 const ORBIT: &str = "write [orbit] on a line of its own, and under it altitude = \"400 km\"";
-const RELATIVE: &str = "write relative_to = \"orbit\": attitude and spin are then relative to its axes (x ahead, y against the normal, z to the nadir)";
-const IN_ATTITUDE: &str = "angles stand in attitude = { … }: euler313, about z, x and z in turn, or roll_pitch_yaw, with yaw about z first";
-const DAMPING_OF_TORQUE: &str = "damping is a torque: a [[torque]] with model = \"drag\" and its coefficient, or \"energy_sink\" for friction inside the body";
+const RELATIVE: &str = "write relative_to = \"orbit\": attitude and spin are then relative to its axes (x forward, y opposite to the orbit normal, z to the nadir)";
+const IN_ATTITUDE: &str = "write the angles in attitude = { … }: euler313 (about z, x, z), or roll_pitch_yaw (3-2-1: yaw about z first)";
+const DAMPING_OF_TORQUE: &str = "damping is a [[torque]]: model = \"drag\" with its coefficient, or \"energy_sink\" for internal friction";
 
-const EULER: &str = "angles are read as euler313 = [\"30 deg\", \"20 deg\", \"10 deg\"], about z, x and z in turn, or as roll_pitch_yaw = [φ, θ, ψ], \
-                     3-2-1: ψ about z, θ about the new y, φ about the new x; what other sequences come to, give as quaternion = [w, x, y, z] or as a matrix";
+const EULER: &str = "write euler313 = [\"30 deg\", \"20 deg\", \"10 deg\"] (about z, x, z), or roll_pitch_yaw = [φ, θ, ψ] (3-2-1: ψ about z, θ about the new y, φ about the new x); convert other sequences to quaternion = [w, x, y, z] or to a matrix";
 const ROLL: &str = "write roll_pitch_yaw = [\"10 deg\", \"20 deg\", \"30 deg\"], 3-2-1: yaw about z, then pitch about the new y, then roll about the new x";
-const SPIN: &str = "write spin = { body = [0, 0, \"12 rad/s\"] }, or spin = { space = [0, 0, \"12 rad/s\"] } along the axes of space";
+const SPIN: &str =
+    "write spin = { body = [0, 0, \"12 rad/s\"] }, or spin = { space = [0, 0, \"12 rad/s\"] } in space axes";
 
 /// Foreign name, the corresponding valid name, and the advice.
 const NAMES: [(&str, &str, &str); 42] = [
@@ -132,12 +136,11 @@ const NAMES: [(&str, &str, &str); 42] = [
 ];
 
 const RUNGE_KUTTA: &str =
-    "the method of Runge and Kutta here is \"dop853\", of order 8; \"auto\" takes what suits the motion";
+    "the Runge–Kutta method is \"dop853\", of order 8; \"auto\" chooses a method for the motion";
 const TUBE: &str = "write shape = \"cylinder\" with its inner_radius, or \"cylinder_shell\" for a thin wall";
 const HOLLOW_SPHERE: &str =
     "write shape = \"sphere\" with its inner_radius, or \"sphere_shell\" for a thin wall";
-const DAMPING: &str =
-    "what the air damps is model = \"drag\"; what friction inside the body does, \"energy_sink\"";
+const DAMPING: &str = "use model = \"drag\" for air drag, or \"energy_sink\" for internal friction";
 
 /// Returns advice for an unknown key in a table with these known keys.
 pub(crate) fn key(word: &str, known: &[&str]) -> Option<&'static str> {
@@ -160,12 +163,12 @@ pub(crate) fn table(key: &str, text: &str, elements: usize) -> Option<String> {
     let text = cut(text);
     let whole = !text.contains(['…', '\n']);
     Some(match (key, elements) {
-        ("spin", 3) if whole => format!(
-            "write spin = {{ body = {text} }}, or spin = {{ space = {text} }} along the axes of space"
-        ),
-        ("omega", 3) if whole => format!(
-            "write omega = {{ body = {text} }}, or omega = {{ space = {text} }} along the axes of space"
-        ),
+        ("spin", 3) if whole => {
+            format!("write spin = {{ body = {text} }}, or spin = {{ space = {text} }} in space axes")
+        }
+        ("omega", 3) if whole => {
+            format!("write omega = {{ body = {text} }}, or omega = {{ space = {text} }} in space axes")
+        }
         ("attitude" | "rotate", 4) if whole => {
             format!("write {key} = {{ quaternion = {text} }}: the scalar comes first")
         }
@@ -181,7 +184,7 @@ pub(crate) fn element(key: &str, text: &str, elements: usize) -> String {
     let text = cut(text);
     match (key, elements) {
         ("between", 3) if !text.contains(['…', '\n']) => {
-            format!("write {{ body = {text} }}, or {{ space = {text} }} along the axes of space")
+            format!("write {{ body = {text} }}, or {{ space = {text} }} in space axes")
         }
         ("between", _) => "write { body = [0, 0, 1] }, or \"momentum\"".to_owned(),
         ("particles", _) => "write { mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }".to_owned(),

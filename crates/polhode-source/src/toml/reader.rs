@@ -64,7 +64,7 @@ impl<'a> Table<'a> {
         let advice = meant::key(&key, known).map(str::to_owned);
         let suggestion = if advice.is_some() { None } else { nearest(&key, known.iter().copied()) };
         let misplaced = match key.as_str() {
-            "title" => Some("title stands above the first table".to_owned()),
+            "title" => Some("write title above the first table".to_owned()),
             // Only a table can be a misplaced top-level table.
             "torque" | "wheel" | "event" | "pointing" if is_table(&entry.node.kind) => {
                 Some(format!("write [[{key}]] on a line of its own"))
@@ -223,8 +223,8 @@ impl<'a> Value<'a> {
                 .with_hint("--root DIR allows files in another folder")),
             Err(NotOpened::NotRegular) => Err(self.invalid("a regular file")),
             Err(NotOpened::NotGiven) => Err(self
-                .invalid("a file that was opened with the scenario, or dropped beside it")
-                .with_hint("no other file is opened for a text that comes from a page")),
+                .invalid("a file that was opened or dropped together with the scenario")
+                .with_hint("a page can read no other files")),
         }
     }
 
@@ -388,10 +388,10 @@ impl<'a> Value<'a> {
             Kind::Whole { digits, radix } => {
                 u128::from_str_radix(digits, *radix).map_err(|_| self.invalid("below 2^128"))?.to_string()
             }
-            _ => return Err(self.wrong_type("a number", "it has no unit and no quotes")),
+            _ => return Err(self.wrong_type("a number", "write a plain number, without unit and quotes")),
         };
         if digits.ends_with(['n', 'f']) {
-            return Err(self.invalid("finite").with_hint("nan and inf are no quantities: write a number"));
+            return Err(self.invalid("finite").with_hint("write a finite number instead of nan or inf"));
         }
         unit::parse(&digits, Dimension::NONE).map_err(|e| self.error(FormatErrorKind::Unit(e)))
     }
@@ -439,13 +439,14 @@ impl<'a> Value<'a> {
         }
         let error = self.invalid("positive");
         Err(match dimension {
-            Dimension::LENGTH => error.with_hint("a size has no sign; position and rotate say where it is"),
+            Dimension::LENGTH => {
+                error.with_hint("a size is positive; set its place with position and rotate")
+            }
             Dimension::TIME => error.with_hint("time runs forward from 0"),
-            Dimension::ANGLE => error.with_hint("it is measured to either side"),
-            Dimension::MASS | Dimension::DENSITY | Dimension::AREA_DENSITY | Dimension::LINE_DENSITY => error
-                .with_hint(
-                    "a hole is not a part of negative mass: leave it out of the shape, or give the body as a mesh",
-                ),
+            Dimension::ANGLE => error.with_hint("it is measured to both sides"),
+            Dimension::MASS | Dimension::DENSITY | Dimension::AREA_DENSITY | Dimension::LINE_DENSITY => {
+                error.with_hint("negative mass cannot model a hole: use a hollow shape, or a mesh")
+            }
             _ => error,
         })
     }

@@ -37,12 +37,12 @@ fn written<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, Form
         "mrp",
         "matrix",
     ])?;
-    let form = table.at_most_one(&FORMS, "a rotation is given once")?;
+    let form = table.at_most_one(&FORMS, "give the rotation in one way only")?;
     let Some(form) = form else {
         return Err(table.missing("axis", "{ axis = [0, 0, 1], angle = \"90 deg\" }"));
     };
     if form.key() != "axis" {
-        table.at_most_one(&[form.key(), "angle"], "only an axis takes an angle")?;
+        table.at_most_one(&[form.key(), "angle"], "angle is used only with axis")?;
     }
     match form.key() {
         "axis" => about(&table, &form),

@@ -127,7 +127,7 @@ impl<'a> Source<'a> {
         let message = error.message().to_owned();
         let hint = match message.as_str() {
             "duplicate key" => Some(
-                "a key stands once in its table; one more part, torque or event begins with its own [[body.part]], [[torque]] or [[event]]",
+                "use each key once per table; another part, torque or event starts with its own [[body.part]], [[torque]] or [[event]]",
             ),
             m if m.starts_with("string values must be quoted") => {
                 Some("a quantity with a unit is a string in quotes, such as \"25 mm\"")

@@ -30,13 +30,13 @@ pub fn plain(text: &str) -> Result<String, ContentError> {
             let length = 9 + end(section, "]]>", here, 9, "the end of the CDATA section, ]]>")?;
             copy.push_str(rest.get(..length).unwrap_or(rest));
         } else if rest.starts_with("<!") {
-            let what =
-                "document type definitions (<!DOCTYPE …>): they can name other files and entities".to_owned();
+            let what = "document type definitions (<!DOCTYPE …>): they can refer to other files and entities"
+                .to_owned();
             return Err(ContentError::new(
                 ContentErrorKind::Unsupported { what },
                 ContentPlace::Text(here..here + 9),
             )
-            .hint("take the DOCTYPE out: models need none"));
+            .hint("remove the DOCTYPE: models do not need it"));
         } else if rest.starts_with('<') {
             tag(&mut copy, rest)?;
         } else {

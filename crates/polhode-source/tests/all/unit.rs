@@ -359,7 +359,7 @@ fn a_misspelt_unit_is_told_the_right_one() {
         let suggestion = meant.map(str::to_owned);
         assert_eq!(error, UnitError::UnknownUnit { unit: unit.to_owned(), suggestion });
         assert_eq!(error.hint(), meant.map(|m| format!("did you mean {m}?")));
-        assert_eq!(error.to_string(), format!("there is no unit \"{unit}\""));
+        assert_eq!(error.to_string(), format!("unknown unit \"{unit}\""));
     }
 }
 
@@ -408,10 +408,15 @@ fn a_wrong_dimension_is_told_what_to_write() {
     for (text, expected, sentence, hint) in [
         ("3 m", D::MASS, "\"m\" is a length where a mass belongs", "write a mass, such as \"12 kg\""),
         ("3 g", D::ACCELERATION, "a mass where an acc", "g is the gram; for standard gravity write g0"),
-        ("3 lb", D::FORCE, "\"lb\" is a mass where a force", "lb, oz and kg are masses; the forces are lbf"),
-        ("3 lb ft", D::TORQUE, "a quantity in kg m where a torque", "lb, oz and kg are masses"),
+        (
+            "3 lb",
+            D::FORCE,
+            "\"lb\" is a mass where a force",
+            "lb, oz and kg are units of mass; units of force",
+        ),
+        ("3 lb ft", D::TORQUE, "a quantity in kg m where a torque", "lb, oz and kg are units of"),
         ("3 s", D::VELOCITY, "a time where a velocity", "write a velocity, such as \"3.5 m/s\""),
-        ("3 Hz", D::ANGULAR_VELOCITY, "there is no unit \"Hz\"", "write rev/s or rad/s"),
+        ("3 Hz", D::ANGULAR_VELOCITY, "unknown unit \"Hz\"", "write rev/s or rad/s"),
         ("3 kg/s", D::DENSITY, "in kg s^-1 where a density", "write a density, such as \"2700 kg/m^3\""),
     ] {
         let (told, told_hint) = message(text, expected);

@@ -124,9 +124,9 @@ fn questions_are_conditions_on_columns() {
     }
     refuses(&with("largest_angle_to_axis_3_rad > 90"), "compares an angle with 90", "90 deg or 90 rad");
     refuses(&with("period_s"), "where a condition belongs", "a comparison");
-    refuses(&with("period_s > 3 kg"), "joins a time and a mass", "");
-    refuses(&with("periods > 3 s"), "there is no variable periods", "period_s");
-    refuses(&with("status > 3"), "there is no variable status", "");
+    refuses(&with("period_s > 3 kg"), "of a time and a mass", "");
+    refuses(&with("periods > 3 s"), "unknown variable periods", "period_s");
+    refuses(&with("status > 3"), "unknown variable status", "");
     refuses(
         &format!("[sweep]\nmembers = 64\nsampling = 'monte carlo'\nquestions = 3{VARY}"),
         "questions",

@@ -168,7 +168,7 @@ impl RowError {
                 (kind, "every row has the names of the first")
             }
             Problem::Width { expected, found, line } => {
-                let rule = format!("{expected} fields long, as the header is; it has {found}");
+                let rule = format!("{expected} fields long, like the header; it has {found}");
                 let hint = match found > expected && plan.has_commas {
                     true => "a decimal comma makes two fields of one: the decimal mark is a point",
                     false => "a line that is cut short is one that the program did not finish: delete it",

@@ -145,7 +145,6 @@ const MOMENTUM: &str = "angular momentum, that of wheels included, along space a
 const TORQUE: &str = "torque, along body axes";
 const MOMENTUM_OF_HELD: &str = "angular momentum of the wheel along its axis, relative to the body";
 const MOMENTUM_OF_TURNED: &str = "angular momentum of the wheel along its axis, relative to space";
-const ANGLE_ON_ORBIT: &str =
-    "attitude relative to the orbit's axes (x ahead, y against the normal, z to the nadir), 3-2-1: yaw first";
+const ANGLE_ON_ORBIT: &str = "attitude relative to the orbit's axes (x forward, y opposite to the orbit normal, z to the nadir), 3-2-1: yaw first";
 const POSITION: &str = "centre of mass on its orbit, from the centre of attraction, along space axes";
 const VELOCITY: &str = "velocity of the centre of mass on its orbit, along space axes";

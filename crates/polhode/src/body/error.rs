@@ -230,7 +230,7 @@ impl fmt::Display for BodyError {
             ),
             Self::TriangleInequality { moments: [a, b, c] } => {
                 // Prints all digits if six significant digits would hide the violation.
-                let shown = |x: f64| if six(a + b) == six(*c) { x.to_string() } else { six(x) };
+                let shown = |x: f64| if six(a + b) == six(*c) { plain(x) } else { six(x) };
                 let [sum, a, b, c] = [a + b, *a, *b, *c].map(shown);
                 write!(
                     f,

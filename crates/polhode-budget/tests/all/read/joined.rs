@@ -229,7 +229,7 @@ fn tables_of_tanks_are_of_the_file_that_names_them() {
         (
             &grain,
             &format!("{of_plan}table = \"grain.csv\"\n"),
-            "plan.toml:7:9: cannot read \"grain.csv\": there is no such file",
+            "plan.toml:7:9: cannot read \"grain.csv\": the file does not exist",
         ),
     ] {
         folder.write("lists/grain.csv", table);
@@ -239,7 +239,7 @@ fn tables_of_tanks_are_of_the_file_that_names_them() {
     folder.write("lists/parts.csv", head.replace("grain.csv", "gravel.csv"));
     let error = folder.read("plan.toml", plan).unwrap_err();
     assert!(
-        error.starts_with("lists/parts.csv:4:11: cannot read \"lists/gravel.csv\": there is no such file"),
+        error.starts_with("lists/parts.csv:4:11: cannot read \"lists/gravel.csv\": the file does not exist"),
         "{error}"
     );
     // In a sheet of the workbook that the plan refers to.

@@ -247,7 +247,7 @@ fn a_table_may_be_a_file_or_a_sheet() {
         ),
         (
             "gravel.csv",
-            "a.xlsx: tank!C2: cannot read \"gravel.csv\": there is no such file | paths are relative",
+            "a.xlsx: tank!C2: cannot read \"gravel.csv\": the file does not exist | paths are relative",
         ),
     ] {
         let found = folder.read("a.xlsx", book(sheet, &rows)).unwrap_err();
@@ -320,7 +320,7 @@ fn a_table_that_is_none_is_refused_where_it_is() {
     let alone = Access { files: &Memory::default(), roots: &[] };
     let error =
         polhode_budget::read::from_bytes(alone, &folder.0.join("a.csv"), list.as_bytes()).unwrap_err();
-    assert!(error.to_string().contains("a file that was opened with the scenario"), "{error}");
+    assert!(error.to_string().contains("a file that was opened or dropped together"), "{error}");
 }
 
 /// A tank that exists only in a later configuration cannot drain from the beginning.

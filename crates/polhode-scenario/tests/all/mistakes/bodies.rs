@@ -38,7 +38,7 @@ fn impossible_bodies_are_refused_where_they_are_impossible() {
     refuses(
         "[[body.part]]\nshape='torus'\nring_radius=1\ntube_radius=«2»\nmass=1",
         "the torus's tube radius = 2 must be at most its ring radius",
-        "ring_radius goes to the middle of the tube",
+        "ring_radius is the radius of the tube's centre",
     );
     for (shape, size) in [("cylinder", "\nlength=1"), ("sphere", "")] {
         let hollow = |inner: &str| {
@@ -63,7 +63,7 @@ fn impossible_bodies_are_refused_where_they_are_impossible() {
     refuses(
         "[[body.part]]\nshape='cone_shell'\nradius=«0»\nheight=1\nmass=1",
         "the larger radius of the conical shell = 0 must be positive and finite",
-        "a cone has a tip at one end at most",
+        "a cone has at most one tip: make radius",
     );
     for (shape, name, length) in [
         ("triangular_plate", "the triangular plate", ""),
@@ -74,7 +74,7 @@ fn impossible_bodies_are_refused_where_they_are_impossible() {
         refuses(
             &triangle("«[[0,0],[1,0.5],[-2,-1]]»"),
             &format!("{name}'s area = 0 must be positive: its corners may not lie on one line"),
-            "three corners on one line enclose no area",
+            "the three vertices are on one line: move one",
         );
         for few in ["[[0,0],[1,0.5]]", "[[0,0,0],[1,0.5,0],[0,1,0]]"] {
             let error = parse(&triangle(few)).unwrap_err();
@@ -84,7 +84,7 @@ fn impossible_bodies_are_refused_where_they_are_impossible() {
     refuses(
         "[[body.part]]\nshape='particles'\nparticles=[{mass=1,position=[0,0,1]},{mass=«-1»,position=[0,0,0]}]",
         "mass = -1 must be positive",
-        "a hole is not",
+        "negative mass",
     );
     refuses(
         "[[body.part]]\nshape='particles'\nparticles=«[]»",
@@ -127,7 +127,7 @@ fn a_density_fits_its_part() {
 fn bodies_beyond_the_range_of_a_double_are_refused() {
     let beyond = "must be positive and finite: too large or too small for f64";
     let text = |size: &str, mass: &str| format!("[[body.part]]\nshape='box'\nsize={size}\nmass={mass}");
-    for (size, hint) in [("«[1,2,1e300]»", "it is beyond"), ("«[1e-110,1e-110,1e-110]»", "it is below")] {
+    for (size, hint) in [("«[1,2,1e300]»", "it is larger"), ("«[1e-110,1e-110,1e-110]»", "it is below")] {
         let error = parse(&text(size, "1").replace(['«', '»'], "")).unwrap_err();
         assert!(error.message().ends_with(beyond), "{error}");
         assert_eq!(error.place().map(|place| place.line), Some(3), "{error}");
@@ -136,7 +136,7 @@ fn bodies_beyond_the_range_of_a_double_are_refused() {
     refuses(
         &text("[1e80,1e80,1e80]", "«1e300»"),
         &format!("the moment of inertia = inf {beyond}"),
-        "it is beyond",
+        "it is larger",
     );
     refuses(
         &text("[1e-80,1e-80,1e-80]", "«1e-300»"),

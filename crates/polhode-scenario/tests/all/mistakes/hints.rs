@@ -334,13 +334,13 @@ fn words_of_others_are_told_ours() {
         assert!(meaning(&right, path).is_ok(), "{right}");
     }
     for (wrong, says) in [
-        (spun("attitude = { euler321 = [1, 2, 3] }"), "or as roll_pitch_yaw = [φ, θ, ψ], 3-2-1"),
-        (spun("euler321 = [1, 2, 3]"), "angles stand in attitude = { … }"),
+        (spun("attitude = { euler321 = [1, 2, 3] }"), "write euler313 = [\"30 deg\", \"20 deg\", \"10"),
+        (spun("euler321 = [1, 2, 3]"), "write the angles in attitude ="),
         (spun("altitude = '500 km'"), "write [orbit] on a line of its own, and under it altitude"),
         (spun("frame = 'lvlh'"), "write relative_to = \"orbit\""),
         (spun("attitude = { rpy = [1, 2, 3] }"), "write roll_pitch_yaw = "),
-        (spun("damping = 0.1"), "damping is a torque"),
-        (spun("attitude = { euler_zyx = [1, 2, 3] }"), "about z, x and z in turn"),
+        (spun("damping = 0.1"), "damping is a [[torque]]:"),
+        (spun("attitude = { euler_zyx = [1, 2, 3] }"), "write euler313 = ["),
         (format!("orbit = {{ period = '90 min' }}\n{BODY}"), "write rate = \"0.0011 rad/s\""),
         (
             format!("orbit = {{ radius = '3790 km', central_body = 'mars' }}\n{BODY}"),
@@ -352,7 +352,7 @@ fn words_of_others_are_told_ours() {
         ),
         (
             turned("model = 'damping'"),
-            "model = \"drag\"; what friction inside the body does, \"energy_sink\"",
+            "use model = \"drag\" for air drag, or \"energy_sink\" for internal friction",
         ),
         (
             turned("model = 'constant'\nbody = ['1 N m', '0 N m', '1 N m']"),

@@ -372,7 +372,7 @@ fn events_that_cannot_be_are_refused() {
     );
     refuses(
         &event("measure='formula'\nformula=«'wx + t'»\nvalue=1"),
-        "formula = 'wx + t' must be a formula of the state (column 4: + joins an angular velocity and a time)",
+        "formula = 'wx + t' must be a formula of the state (column 4: + of an angular velocity and a time): the dimensions differ",
         "",
     );
     refuses(
@@ -432,16 +432,20 @@ fn a_torque_s_formula_is_answered_at_its_place() {
         format!("{BALL}[[torque]]\nmodel = 'formula'\naxes = 'body'\ntorque = [{components}]\n{RUN}")
     };
     assert!(parse(&with("0, '0.1 [N m]', '-2[N m s]*wx'")).is_ok());
-    let message = "+ joins a torque and a plain number";
-    refuses(&with("0, '1[N m] «+» 2', 0"), message, "a number has its unit behind it, such as 0.1 N m");
-    refuses(&with("0, 0, \"\"\"2[Nm]*«w1»\"\"\""), "there is no variable w1", "the variables are t, wx");
+    let message = "+ of a torque and a plain number: the dimensions differ";
+    refuses(&with("0, '1[N m] «+» 2', 0"), message, "write the unit after the number, such as 0.1 N m");
+    refuses(&with("0, 0, \"\"\"2[Nm]*«w1»\"\"\""), "unknown variable w1", "the variables are t, wx");
     let message = "the value is an angular velocity, where a torque belongs";
     refuses(&with("' «wx»', 0, 0"), message, "a factor is missing, such as 12[N m s]");
-    refuses(&with("'2[«Nn»]*t', 0, 0"), "there is no unit \"Nn\"", "did you mean");
-    let message = "sin takes a plain number, not a time";
-    refuses(&with("'1[N m]*«sin»(t)', 0, 0"), message, "divide by a quantity like it, such as 90[s]");
+    refuses(&with("'2[«Nn»]*t', 0, 0"), "unknown unit \"Nn\"", "did you mean");
+    let message = "sin needs a number without unit, not a time";
+    refuses(
+        &with("'1[N m]*«sin»(t)', 0, 0"),
+        message,
+        "divide by a quantity of the same dimension, such as 90[s]",
+    );
     // of a string with escapes, the string is the place
-    let message = "there is no variable qw²";
+    let message = "unknown variable qw²";
     refuses(&with("«\"1[N m]*qw\\u00b2\"», 0, 0"), message, "did you mean qw?");
     refuses(&with("0, «true», 0"), "torque must be a torque, not true or false", "write \"0.1 N m\"");
 }

@@ -78,7 +78,7 @@ fn a_document_that_contradicts_itself() {
             json!(5125),
             "accessors[0].componentType: componentType = 5125 must be of 8 or 16 bits, or a float".into(),
         ),
-        ("/accessors/0/count", json!(7), "accessors[0]: 7 elements are declared, and 6 are there".into()),
+        ("/accessors/0/count", json!(7), "accessors[0]: 7 elements are declared, but the file has 6".into()),
         (
             "/accessors/0/count",
             json!(5),
@@ -87,22 +87,22 @@ fn a_document_that_contradicts_itself() {
         (
             "/accessors/0/count",
             json!(4294967295_u32),
-            "accessors[0]: 4294967295 elements are declared, and 6 are there".into(),
+            "accessors[0]: 4294967295 elements are declared, but the file has 6".into(),
         ),
         (
             "/accessors/0/count",
             json!(u64::MAX),
-            "accessors[0]: 18446744073709551615 elements are declared, and 6 are there".into(),
+            "accessors[0]: 18446744073709551615 elements are declared, but the file has 6".into(),
         ),
         (
             "/accessors/0/byteOffset",
             json!(u64::MAX),
-            "accessors[0]: 6 elements are declared, and 0 are there".into(),
+            "accessors[0]: 6 elements are declared, but the file has 0".into(),
         ),
         (
             "/accessors/0",
             json!({"componentType": F32, "type": "VEC3", "count": u64::MAX}),
-            "accessors[0]: polhode does not read a file of this size that unfolds to more than 256 MiB"
+            "accessors[0]: polhode does not read a file of this size that expands to more than 256 MiB"
                 .into(),
         ),
         (
@@ -119,12 +119,12 @@ fn a_document_that_contradicts_itself() {
         (
             "/bufferViews/0/byteLength",
             json!(1000),
-            "bufferViews[0]: 1000 bytes of the view are declared, and 96 are there".into(),
+            "bufferViews[0]: 1000 bytes of the view are declared, but the file has 96".into(),
         ),
         (
             "/bufferViews/0/byteOffset",
             json!(u64::MAX),
-            "bufferViews[0]: 72 bytes of the view are declared, and 0 are there".into(),
+            "bufferViews[0]: 72 bytes of the view are declared, but the file has 0".into(),
         ),
         (
             "/bufferViews/0/byteStride",
@@ -139,7 +139,7 @@ fn a_document_that_contradicts_itself() {
         (
             "/buffers/0/byteLength",
             json!(1000),
-            "buffers[0]: 1000 bytes are declared, and 96 are there".into(),
+            "buffers[0]: 1000 bytes are declared, but the file has 96".into(),
         ),
         (
             "/extensionsRequired",
@@ -239,7 +239,7 @@ fn buffers_beside_the_document_and_nowhere_else() {
     }
     assert_eq!(
         read("short.bin").unwrap_err().to_string(),
-        "buffers[0]: 96 bytes are declared, and 95 are there"
+        "buffers[0]: 96 bytes are declared, but the file has 95"
     );
     assert!(read("none.bin").unwrap_err().to_string().contains("must be a file that can be read ("));
     assert_eq!(
@@ -271,7 +271,7 @@ fn containers_that_are_broken() {
         "byte 0: expected the { of a .gltf or the \"glTF\" of a .glb, found the end of the file"
     );
     assert!(error(b"solid x").ends_with("found \"solid x\""));
-    assert_eq!(error(b"glTF\x02\0\0\0"), "byte 0: 12 bytes of the header are declared, and 8 are there");
+    assert_eq!(error(b"glTF\x02\0\0\0"), "byte 0: 12 bytes of the header are declared, but the file has 8");
     assert_eq!(patched(4, &[1]), "the header, byte 4: polhode does not read version 1 of the GLB container");
     assert!(
         patched(8, &u32::MAX.to_le_bytes()).starts_with("byte 8: 4294967295 bytes in the file are declared")
@@ -395,5 +395,5 @@ fn a_text_has_a_limit() {
 fn a_key_stands_once() {
     let text = br#"{"asset": {"version": "2.0"}, "scene": 0, "scene": 1}"#;
     let error = gltf::read(&Disk, text, Path::new("")).unwrap_err();
-    assert!(error.kind.to_string().contains("stands twice in one object"), "{}", error.kind);
+    assert!(error.kind.to_string().contains("duplicate key"), "{}", error.kind);
 }

@@ -207,7 +207,7 @@ fn instancing_on_the_gpu() {
     file.doc["accessors"][rotations]["count"] = 1.into();
     assert_eq!(
         file.error(),
-        "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes: 2 instances are declared, and 1 are there"
+        "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes: 2 instances are declared, but the file has 1"
     );
 }
 

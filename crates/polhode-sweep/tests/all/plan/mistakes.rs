@@ -276,7 +276,7 @@ fn what_is_dispersed_stays_within_reason() {
         (
             "key = 'start.attitude'\nrandom = { sd = «'-2 deg'» }",
             "sd = '-2 deg' must be positive",
-            "it is measured to either side",
+            "it is measured to both sides",
         ),
         (
             "key = 'start.spin.body'\ndirection = { within = «'200 deg'» }",

@@ -136,7 +136,7 @@ fn a_large_file_is_read_as_a_small_one_is() {
         assert_eq!(error.place().unwrap().line, row + 1);
     }
     fs::remove_file(&path).unwrap();
-    assert!(run_log::read(&Disk, &path, None).unwrap_err().message().contains("there is no such file"));
+    assert!(run_log::read(&Disk, &path, None).unwrap_err().message().contains("the file does not exist"));
     assert!(run_log::read(&Disk, &std::env::temp_dir(), None).unwrap_err().message().contains("directory"));
 }
 

@@ -150,9 +150,9 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
     ),
     (
         "name,mass,mesh\na,1,lost.stl\n",
-        "list.csv:2:5: cannot read \"lost.stl\": there is no such file | paths are relative",
+        "list.csv:2:5: cannot read \"lost.stl\": the file does not exist | paths are relative",
     ),
-    ("name,file\na,lost.toml\n", "list.csv:2:3: cannot read \"lost.toml\": there is no such file"),
+    ("name,file\na,lost.toml\n", "list.csv:2:3: cannot read \"lost.toml\": the file does not exist"),
     ("name,file\na,lost.txt\n", "list.csv:2:3: cannot read"),
     ("name,file,mass\na,open.txt,1\n", "list.csv:2:12: mass = 1 must be left out, because the file gives it"),
     (

@@ -73,7 +73,7 @@ fn other_files_are_named_for_what_they_are() {
     let compound = folder.read("old.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1 and more").unwrap_err();
     assert!(compound.starts_with("old.xls: polhode does not read workbooks of this kind: XLS"), "{compound}");
     let latin = folder.read("latin.csv", b"name,mass\nst\xfctze,1\n").unwrap_err();
-    assert!(latin.starts_with("latin.csv:2:3: the file is not UTF-8 text"), "{latin}");
+    assert!(latin.starts_with("latin.csv:2:3: the file is not valid UTF-8"), "{latin}");
     let wide = folder.read("wide.csv", b"\xff\xfen\0a\0m\0e\0").unwrap_err();
     assert!(wide.starts_with("wide.csv: the file is text in UTF-16"), "{wide}");
 }

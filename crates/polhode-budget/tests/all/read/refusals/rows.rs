@@ -18,7 +18,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
         "name,mass [mm]\na,1\n",
         "list.csv:1:6: \"mm\" is a length where a mass belongs | name a unit of a mass",
     ),
-    ("name,mass [gg]\na,1\n", "list.csv:1:6: there is no unit \"gg\""),
+    ("name,mass [gg]\na,1\n", "list.csv:1:6: unknown unit \"gg\""),
     (
         "name,mass,Mass [g]\na,1,1\n",
         "list.csv:1:11: the heading = Mass [g] must be a column that is not given twice: it equals \"mass\"",

@@ -74,7 +74,12 @@ impl Tabulated {
         times.iter().try_for_each(|time| require::finite("the time of a row", *time))?;
         torques.as_flattened().iter().try_for_each(|n| require::finite("the torque of a row", *n))?;
         for pair in times.windows(2) {
-            require::that("the time of a row", pair[1], pair[0] < pair[1], "after that of the row before")?;
+            require::that(
+                "the time of a row",
+                pair[1],
+                pair[0] < pair[1],
+                "after the time of the previous row",
+            )?;
         }
         let of_piece: Vec<Vec<[f64; 3]>> = match interpolation {
             Interpolation::Steps => torques.iter().map(|n| vec![*n]).collect(),

@@ -446,9 +446,9 @@ fn the_name_of_a_unit_is_asked_for_by_a_name() {
     scratch.write("f.stl", "");
     scratch.write("f.csv", "mass_mm,x_m,y_m,z_m\n1,2,3,4\n");
     for (arguments, hint) in [
-        (&["inertia", "f.stl", "--unit", "kg"][..], "name a unit of a length, such as mm"),
-        (&["inertia", "f.csv", "--mass-unit", "mm"], "name a unit of a mass, such as kg"),
-        (&["inertia", "f.csv"], "name a unit of a mass, such as kg"),
+        (&["inertia", "f.stl", "--unit", "kg"][..], "write a unit of a length, such as mm"),
+        (&["inertia", "f.csv", "--mass-unit", "mm"], "write a unit of a mass, such as kg"),
+        (&["inertia", "f.csv"], "write a unit of a mass, such as kg"),
         (&["inertia", "f.stl", "--unit", "millimetre"], "did you mean mm?"),
     ] {
         let error = refused(&scratch.run(arguments), 2);

@@ -507,7 +507,7 @@ fn a_few_bytes_do_not_fill_the_memory() {
     };
     for last in ["<instance_geometry url='#g'/>", ""] {
         let error = refused(&library(&deep(last), root));
-        assert!(error.kind.to_string().contains("unfolds to more than 256 MiB"), "{error}");
+        assert!(error.kind.to_string().contains("expands to more than 256 MiB"), "{error}");
         assert!(matches!(error.place, ContentPlace::Text(_)));
     }
 }

@@ -398,7 +398,7 @@ fn a_file_that_unfolds_too_far_is_refused() {
         zip.write_all(&vec![b' '; 1 << 20]).unwrap();
     }
     let error = read(&zip.finish().unwrap().into_inner()).unwrap_err();
-    assert!(error.to_string().contains("unfolds to more than 64 MiB"), "{error}");
+    assert!(error.to_string().contains("expands to more than 64 MiB"), "{error}");
 
     for leaf in [mesh(), "<components/>".to_owned(), String::new()] {
         let mut resources = format!("<object id=\"0\">{leaf}</object>");
@@ -407,7 +407,7 @@ fn a_file_that_unfolds_too_far_is_refused() {
             resources += &format!("<object id=\"{id}\"><components>{ten}</components></object>");
         }
         let error = read_model(&model("", &resources, "<item objectid=\"12\"/>")).unwrap_err();
-        assert!(error.to_string().contains("unfolds to more than 256 MiB"), "{error}");
+        assert!(error.to_string().contains("expands to more than 256 MiB"), "{error}");
     }
     // A long chain is accepted.
     let mut resources = format!("<object id=\"0\">{}</object>", mesh());

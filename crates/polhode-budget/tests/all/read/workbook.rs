@@ -236,7 +236,7 @@ fn archives_that_are_no_workbooks_are_refused() {
         ),
     ];
     entries.push(("s.xml".to_owned(), large));
-    assert!(read(&zipped(&entries)).contains("unfolds to more than 64 MiB"), "{}", read(&zipped(&entries)));
+    assert!(read(&zipped(&entries)).contains("expands to more than 64 MiB"), "{}", read(&zipped(&entries)));
     for (sheet, expected) in [
         (
             "<worksheet><sheetData><row r=\"2\"><c r=\"A1\"><v>1</v></c></row></sheetData></worksheet>",

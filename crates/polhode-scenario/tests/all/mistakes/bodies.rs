@@ -127,7 +127,7 @@ fn a_density_fits_its_part() {
 fn bodies_beyond_the_range_of_a_double_are_refused() {
     let beyond = "must be positive and finite: too large or too small for f64";
     let text = |size: &str, mass: &str| format!("[[body.part]]\nshape='box'\nsize={size}\nmass={mass}");
-    for (size, hint) in [("«[1,2,1e300]»", "it is larger"), ("«[1e-110,1e-110,1e-110]»", "it is below")] {
+    for (size, hint) in [("«[1,2,1e300]»", "it is larger"), ("«[1e-110,1e-110,1e-110]»", "it is smaller")] {
         let error = parse(&text(size, "1").replace(['«', '»'], "")).unwrap_err();
         assert!(error.message().ends_with(beyond), "{error}");
         assert_eq!(error.place().map(|place| place.line), Some(3), "{error}");
@@ -141,7 +141,7 @@ fn bodies_beyond_the_range_of_a_double_are_refused() {
     refuses(
         &text("[1e-80,1e-80,1e-80]", "«1e-300»"),
         &format!("the moment of inertia = 0 {beyond}"),
-        "it is below",
+        "it is smaller",
     );
 }
 

@@ -196,7 +196,7 @@ fn a_mesh_that_unfolds_too_far_is_refused() {
     file.doc["accessors"][0] = json!({"componentType": F32, "type": "VEC3", "count": 9_000_000});
     file.doc["nodes"] = (0..500).map(|_| json!({"mesh": 0})).collect();
     file.doc["scenes"] = json!([{"nodes": (0..500).collect::<Vec<_>>()}]);
-    assert!(file.error().contains("unfolds to more than 256 MiB"), "{}", file.error());
+    assert!(file.error().contains("expands to more than 256 MiB"), "{}", file.error());
 }
 
 fn folder(name: &str) -> PathBuf {

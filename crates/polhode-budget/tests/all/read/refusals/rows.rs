@@ -16,7 +16,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ),
     (
         "name,mass [mm]\na,1\n",
-        "list.csv:1:6: \"mm\" is a length where a mass belongs | name a unit of a mass",
+        "list.csv:1:6: \"mm\" is a length where a mass belongs | write a unit of a mass",
     ),
     ("name,mass [gg]\na,1\n", "list.csv:1:6: unknown unit \"gg\""),
     (

@@ -143,7 +143,7 @@ def test_what_cannot_go_on_is_refused(examples: Any) -> None:
     )
     for given, says in ((ball, "a body on the ground"), (gyroscope, "a rotor in gimbals")):
         motion = polhode.simulate(given)
-        with pytest.raises(polhode.PolhodeError, match=f"does not go on from its end: it is that of {says}"):
+        with pytest.raises(polhode.PolhodeError, match=f"cannot be continued from its end: it is that of {says}"):
             motion.extend(1.0)
     free = polhode.simulate(polhode.Scenario(Part(shape="sphere", radius=0.1, mass=1.0), start=Start(omega=[1, 2, 3]), run=Run(duration=1.0, samples=2)))
     for keys, says in (({"duration": 0.0}, "duration = 0.0 must be positive"), ({"duration": 1.0, "samples": 1}, "samples = 1 must be"), ({"duration": 1e-20}, "too short for 1001 samples"), ({"duration": 1.0, "error": "much"}, "error = 'much'")):

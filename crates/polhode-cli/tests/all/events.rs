@@ -201,5 +201,5 @@ samples = 21
     let output = scratch.run(&["simulate", "relay.toml"]);
     let error = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(3), "{error}");
-    assert!(error.contains("without end") && error.contains("dead band"), "{error}");
+    assert!(error.contains("endlessly") && error.contains("dead band"), "{error}");
 }

@@ -40,7 +40,7 @@ fn a_coin_that_rolls_has_its_threshold() {
     scratch.write("far.toml", &scenario(body, contact, &start(45.0, "{ body = [0, 0, \"9 rad/s\"] }")));
     let why = refused(&scratch.run(&["stability", "far.toml"]), 2);
     assert!(
-        why.contains("no steady motion on the ground is near") && why.contains("hint: start nearer"),
+        why.contains("the start is not near a steady motion on") && why.contains("hint: start nearer"),
         "{why}"
     );
     let slowed = format!("{contact}\nrolling_friction = \"0.1 mm\"");

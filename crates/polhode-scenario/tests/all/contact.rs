@@ -266,9 +266,9 @@ fn what_excludes_a_contact_is_refused() {
         (
             "[[torque]]\nmodel = 'drag'\ncoefficient = 1",
             "[[torque]]",
-            "all that acts on a body on the ground",
+            "only gravity and the contact force act",
         ),
-        ("[orbit]\naltitude = '400 km'", "[orbit]", "on no orbit"),
+        ("[orbit]\naltitude = '400 km'", "[orbit]", "not in orbit"),
         ("[[wheel]]\naxis = [0, 0, 1]\nmomentum = 1", "[[wheel]]", "one rigid body"),
         ("[sweep]\nmembers = 3", "[sweep]", "sweeps have no outcomes"),
         ("[body]\npivot = [0, 0, 0]", "[0, 0, 0]", "left out with [contact]"),

@@ -124,9 +124,9 @@ fn what_does_not_go_with_gimbals_is_refused() {
     refused(&with("[start]\nspin = { body = [0, 0, 1] }"), "the start of a rotor in gimbals is defined");
     refused(
         &with("[[torque]]\nmodel = 'gravity'\npivot = [0, 0, 0]"),
-        "gravity and what acts about the three axes",
+        "only gravity and torques about the three gimbal",
     );
-    refused(&with("[[event]]\nmeasure = 'time'\nvalue = 1"), "events are looked for");
+    refused(&with("[[event]]\nmeasure = 'time'\nvalue = 1"), "events are available for");
     refused(&with("[orbit]\naltitude = '500 km'"), "their base");
     refused(&with("[[wheel]]\naxis = [0, 0, 1]\nmomentum = 1"), "the rotor is one rigid body");
     refused(&with("[sweep]\nmembers = 3"), "sweeps have no outcomes");

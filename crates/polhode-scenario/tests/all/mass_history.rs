@@ -229,7 +229,7 @@ fn mistakes_have_their_places() {
         (
             burn.to_owned(),
             "[[mass_history.burn]]",
-            "loses mass, and nothing says where",
+            "loses mass, but its exit is not defined",
             "state where the mass",
         ),
         (

@@ -242,7 +242,7 @@ fn a_shaft_that_cannot_be_is_refused() {
     refuses(&balance("[0, 1]", "[1, 0]"), "radii = 0 must be positive", "a size is positive;");
     refuses(
         &format!("{SHAFT}[prescribed]\naxis = [0, 0, 1]\nrate = 1"),
-        "shaft and prescribed are both given: a shaft turns at its rate",
+        "shaft and prescribed are both given: a shaft rotates at its given",
         "leave one",
     );
     refuses(&format!("{SHAFT}[body]\npivot = [0, 0, 0]"), "shaft = [shaft]", "leave out pivot");

@@ -277,7 +277,7 @@ impl fmt::Display for BodyError {
             ),
             Self::Unorientable { edges, example: [a, b], triangle } => write!(
                 f,
-                "the mesh has one side only, so it has no inside: however it is wound, triangles disagree along an edge \
+                "the mesh has only one side (it is not orientable), so it has no inside: for every winding, triangles disagree along an edge \
                  ({edges} of them as it is, the first from {a:?} to {b:?} in triangle {triangle})"
             ),
             Self::DuplicateTriangle { count, first, second } => write!(
@@ -287,42 +287,39 @@ impl fmt::Display for BodyError {
             ),
             Self::OverlappingMesh { pairs, triangles: [t, u], point } => write!(
                 f,
-                "parts of the mesh overlap, so what they share counts twice: {} of triangles, \
+                "parts of the mesh overlap, so the shared volume counts twice: {} of triangles, \
                  the first triangles {t} and {u} near {point:?}",
                 counted(*pairs)
             ),
             Self::OverlapsUndecided { triangles, steps } => write!(
                 f,
-                "so many of the mesh's {triangles} triangles are so near each other that it was not found out whether parts of it \
-                 overlap: that would take more than {steps} steps"
+                "too many of the mesh's {triangles} triangles are close together to decide whether parts of it overlap: that would take more than {steps} steps"
             ),
             Self::NestedSolid { parts, triangle, volume } => write!(
                 f,
-                "a part of the mesh lies in another and is wound outward as that one is, so its volume ({volume:e}) counts twice: \
+                "a part of the mesh lies in another part and both are wound outward, so its volume ({volume:e}) counts twice: \
                  the part of triangle {triangle}, the first of {parts}"
             ),
             Self::InvertedPart { parts, triangle, volume } => write!(
                 f,
-                "a part of the mesh is wound inward and in no solid, so its volume counts negative ({volume:e}): \
+                "a part of the mesh is wound inward and lies in no solid, so its volume is negative ({volume:e}): \
                  the part of triangle {triangle}, the first of {parts}"
             ),
             Self::NegativeUnion { volume, whole } => write!(
                 f,
-                "the mesh winds about {volume:e} the wrong way round (about {whole:e} the right way), so its parts are no solids that could \
-                 be united"
+                "the mesh is wound inward around a volume of {volume:e} (outward around {whole:e}), so its parts are not solids and cannot be united"
             ),
             Self::UnionUndecided { triangles, steps } => write!(
                 f,
-                "what the parts of the mesh enclose together was not found: its {triangles} triangles meet so often that it takes more than \
-                 {steps} steps"
+                "the union of the parts of the mesh was not computed: its {triangles} triangles intersect so often that it takes more than {steps} steps"
             ),
             Self::UnionUnclear { volume, error } => write!(
                 f,
-                "what the parts of the mesh enclose together is not known well enough: {volume:e}, but for {error:.1e}"
+                "the volume of the union of the mesh parts is not accurate enough: {volume:e}, with an error bound of {error:.1e}"
             ),
             Self::FlatMesh { volume: 0.0 } => f.write_str("the mesh is closed, but encloses no volume"),
             Self::FlatMesh { volume } => {
-                write!(f, "the mesh is closed, but encloses no volume that rounding leaves ({volume:.5e})")
+                write!(f, "the mesh is closed, but its volume ({volume:.5e}) is within rounding of zero")
             }
             Self::FlatPoints { count, place } => {
                 let lie = if *count == 1 { "point lies" } else { "points lie" };
@@ -336,8 +333,7 @@ impl fmt::Display for BodyError {
             }
             Self::Cubature { tolerance, reached, evaluations } => write!(
                 f,
-                "the relative error is estimated as {reached:.1e} after {evaluations} values of the density, \
-                 more than the tolerance of {tolerance:.1e}"
+                "the estimated relative error is {reached:.1e} after {evaluations} density evaluations, above the tolerance of {tolerance:.1e}"
             ),
         }
     }
@@ -380,16 +376,15 @@ impl BodyError {
     /// Returns a suggestion for fixing the error, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
-            Self::NotSymmetric { .. } => {
-                Some("give each product of inertia once on either side of the diagonal, with the same sign")
-            }
+            Self::NotSymmetric { .. } => Some(
+                "give each product of inertia on both sides of the diagonal, with the same value and sign",
+            ),
             Self::NegativeMoment { .. } | Self::TriangleInequality { .. } => Some(
                 "check the sign convention of the products (here: minus the integral ∫xy dm), the point it is about, \
                  and the units",
             ),
             Self::ImpossibleAtCenter { .. } => Some(
-                "check the centre of mass and the point that the tensor is about (perhaps it is about the centre of mass already), the sign \
-                 convention of the products, and the units",
+                "check the centre of mass and the reference point of the tensor (perhaps it is already about the centre of mass), the sign convention of the products, and the units",
             ),
             Self::OpenMesh { .. } => Some(
                 "close the mesh in the tool that made it; vertices that only nearly coincide count as different",
@@ -402,20 +397,19 @@ impl BodyError {
                 Some("make the normals consistent in the tool that made the mesh")
             }
             Self::Unorientable { .. } => {
-                Some("cut it open and close it as the surface of a solid, or take it as a thin sheet")
+                Some("cut it open and close it as the surface of a solid, or use it as a thin sheet")
             }
             Self::OverlappingMesh { .. } => {
                 Some("unite the solids in the tool that made the mesh (boolean union)")
             }
             Self::OverlapsUndecided { .. } => Some(
-                "divide long thin triangles, and corners or edges of very many triangles, in the tool that made the mesh",
+                "remesh long thin triangles, and vertices or edges with very many triangles, in the tool that made the mesh",
             ),
-            Self::NestedSolid { .. } => Some(
-                "a cavity is wound inward: turn its normals; a solid within a solid is to be united with it",
-            ),
+            Self::NestedSolid { .. } => {
+                Some("for a cavity, turn the normals inward; unite a solid within a solid with the outer one")
+            }
             Self::NegativeUnion { .. } => Some(
-                "turn the normals of parts that are wound inward outward; where a part goes through itself, its inside turns out: mend it in \
-                 the tool that made the mesh",
+                "turn the normals of inward parts outward; a part that intersects itself is inside out in places: fix it in the tool that made the mesh",
             ),
             Self::UnionUndecided { .. } | Self::UnionUnclear { .. } => {
                 Some("unite the parts in the tool that made the mesh")

@@ -13,7 +13,7 @@ pub struct NotCovariance {
 impl fmt::Display for NotCovariance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [i, j] = self.element;
-        write!(f, "the matrix is no covariance, by its element {i}, {j}")
+        write!(f, "the matrix is not a covariance matrix: see element {i}, {j}")
     }
 }
 

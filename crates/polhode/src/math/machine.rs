@@ -35,7 +35,7 @@ pub(crate) trait Work {
     /// Runs the work on processors whose registers hold one or two numbers.
     #[cfg_attr(
         not(feature = "simd"),
-        allow(dead_code, reason = "without the feature there are no such registers")
+        allow(dead_code, reason = "without the feature these registers are unavailable")
     )]
     #[inline(always)]
     fn run_narrow<S: Machine>(self, s: S) -> Self::Output

@@ -292,44 +292,46 @@ impl MotionError {
     /// Returns a hint on how to fix the error, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
-            Self::NotSpinnable => Some("give the mass an extent: a point has no attitude"),
+            Self::NotSpinnable => Some("give the body an extent: a point has no attitude"),
             Self::TorqueWithoutInertia { .. } => {
                 Some("all the mass is on one line: give it a thickness, or a torque across the line")
             }
             Self::NotSteady { .. } => Some(
-                "start nearer to an equilibrium, at rest or turning about an axis along which all torques stay as they are",
+                "start nearer to an equilibrium, at rest or rotating about an axis along which all torques are constant",
             ),
             Self::NoDerivative { .. } => Some(
-                "dry friction at rest, |x|, sign(x) and the angle theta near 0 have a corner or a jump: write a torque that is smooth there",
+                "dry friction at rest, |x|, sign(x) and the angle theta near 0 have a corner or a jump: use a smooth torque",
             ),
             Self::NoSteadyMotion { .. } => Some(
-                "start nearer to one: a symmetric body that rolls straight or spins upright, a spin about the vertical on a point below the centre of mass, without slip and pivoting friction on level ground",
+                "start nearer to one, on level ground without slip and pivoting friction: a symmetric body that rolls straight or spins upright, or a spin about the vertical on a point below the centre of mass",
             ),
             Self::NoClosedForm { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::BeyondReach { .. } => {
-                Some("give an earlier time; the last bit of what is measured decides the phase long before")
+                Some("use an earlier time; rounding of the input determines the phase long before")
             }
             Self::NotSplittable { .. } => Some("use method = \"taylor\" or \"dop853\""),
             Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
                 Some("loosen the tolerance or lengthen the step, or shorten the duration")
             }
             Self::TooManyPulses { .. } => Some(
-                "shorten the duration, or give the pulses a longer period or a count; pulses so dense act as their mean, width / period of the torque",
+                "shorten the duration, or give the pulses a longer period or a count; such dense pulses act like their mean, width / period times the torque",
             ),
             Self::TooManyEvents { .. } => Some(
-                "shorten the duration; an event that switches what it measures may happen without end: give it a direction, or a dead band",
+                "shorten the duration; an event that switches the quantity that it measures may repeat endlessly: give it a direction or a dead band",
             ),
             Self::NoPotential => Some("measure the kinetic energy"),
-            Self::RunAway { .. } => Some("check the sign of the torque: one that grows with ω has no bound"),
+            Self::RunAway { .. } => {
+                Some("check the sign of the torque: a torque that grows with ω is unbounded")
+            }
             Self::NotSmooth { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::HalfTurn { .. } => {
                 Some("stop the run before with an event on the angle, or start with less energy")
             }
             Self::Chatter { .. } => Some(
-                "give the events that switch on and off different values: between them is the dead band of the controller",
+                "give the events that switch on and off different values, with the controller's dead band between them",
             ),
             Self::EventTooFast { .. } => Some(
-                "measure something slower: in one step of the motion the phase of a formula may advance by 1e6 rad",
+                "measure a slower quantity: the phase of a formula may advance by at most 1e6 rad per step",
             ),
             Self::TorqueNotFinite { .. } => {
                 Some("a formula is NaN where it divides by zero or takes the root of a negative number")
@@ -338,10 +340,10 @@ impl MotionError {
             Self::NoParameter { .. } => Some("`TorqueModel::parameters` lists the names that a torque has"),
             Self::Painleve { .. } => Some("give a smaller coefficient of friction"),
             Self::Undecided { .. } => Some(
-                "give another start or another law: rolling alone takes a friction that nothing has where the normal force is small",
+                "change the start or the law: pure rolling needs unlimited friction where the normal force is small",
             ),
             Self::GimbalLock { .. } => {
-                Some("give the outer gimbal an inertia about its axis: then this is a motion like others")
+                Some("give the outer gimbal an inertia about its axis: then this is an ordinary motion")
             }
             Self::NonFiniteParameter { .. }
             | Self::NonPositiveParameter { .. }
@@ -399,7 +401,7 @@ impl fmt::Display for MotionError {
             ),
             Self::NotSteady { torque, scale } => write!(
                 f,
-                "this is no equilibrium, and none was found near it: of torques of {scale:.3e} N·m in all, {torque:.3e} N·m is left over"
+                "the start is not an equilibrium, and none was found near it: of {scale:.3e} N·m of torque in total, {torque:.3e} N·m is unbalanced"
             ),
             Self::NoDerivative { torque, time } => write!(
                 f,
@@ -412,16 +414,17 @@ impl fmt::Display for MotionError {
             Self::NoMotionDerivatives { why, time } => {
                 write!(f, "at t = {time} s the motion has no derivatives: {why}", time = plain(*time))
             }
-            Self::NotContinued { why } => write!(f, "the motion does not go on from its end: {why}"),
-            Self::NoSteadyMotion { why } => write!(f, "no steady motion on the ground is near: {why}"),
-            Self::NoClosedForm { why } => write!(f, "there is no closed form of this motion: {why}"),
+            Self::NotContinued { why } => write!(f, "the motion cannot be continued from its end: {why}"),
+            Self::NoSteadyMotion { why } => {
+                write!(f, "the start is not near a steady motion on the ground: {why}")
+            }
+            Self::NoClosedForm { why } => write!(f, "this motion has no closed form: {why}"),
             Self::BeyondReach { time, .. } if !time.is_finite() => {
-                write!(f, "t = {time} s is no time")
+                write!(f, "t = {time} s is not finite")
             }
             Self::BeyondReach { time, reach } => write!(
                 f,
-                "t = {time} s is too far away: this motion is known up to {reach:.1e} s from its start, where rounding \
-                 leaves its phase six digits",
+                "t = {time} s is too far away: this motion is known up to {reach:.1e} s from its start, where rounding limits its phase to six digits",
                 time = plain(*time)
             ),
             Self::NotSplittable { what, why } => {
@@ -436,7 +439,7 @@ impl fmt::Display for MotionError {
             }
             Self::TooManySteps { time, step, most } => write!(
                 f,
-                "at t = {time} s steps are of {step:e} s: to the end that is more than {most} steps",
+                "at t = {time} s the steps are {step:e} s: more than {most} steps to the end",
                 time = plain(*time)
             ),
             Self::TooManyPulses { torque, count, most } => {
@@ -444,7 +447,7 @@ impl fmt::Display for MotionError {
                     Some(torque) => format!("torque {}", torque + 1),
                     None => "a wheel's motor".to_owned(),
                 };
-                write!(f, "to the end there are {count:.3e} pulses, most of {of}: that is more than {most}")
+                write!(f, "the run has {count:.3e} pulses, most from {of}: more than the limit of {most}")
             }
             Self::Painleve { time } => {
                 write!(
@@ -455,7 +458,7 @@ impl fmt::Display for MotionError {
             Self::Undecided { time } => {
                 write!(
                     f,
-                    "at t = {time} s it cannot be decided how the body goes on: whether it lifts off, or whether, and in which direction, it slips"
+                    "at t = {time} s the next phase is undetermined: whether the body lifts off, or whether and in which direction it slips"
                 )
             }
             Self::ContactChanged { what, time } => write!(f, "at t = {time} s the motion ends: {what}"),
@@ -471,12 +474,11 @@ impl fmt::Display for MotionError {
             }
             Self::RunAway { time, rate, most } => write!(
                 f,
-                "the motion runs away: at t = {time} s the body turns at {rate:.3e} rad/s, and soon after it is far beyond \
-                 {most:.3e} rad/s, 1000 times what its start and the torques where they begin explain",
+                "the motion diverges: at t = {time} s |ω| is {rate:.3e} rad/s, and soon after it is far above {most:.3e} rad/s, 1000 times the rate that the start and the initial torques explain",
                 time = plain(*time)
             ),
             Self::NoPotential => f.write_str(
-                "an event measures the total energy, and a torque has no potential, or is switched",
+                "an event measures the total energy, but a torque has no potential, or is switched",
             ),
             Self::NotSmooth { torque, why } => {
                 write!(
@@ -487,23 +489,23 @@ impl fmt::Display for MotionError {
             }
             Self::HalfTurn { time } => write!(
                 f,
-                "at t = {time} s a spring or wire is twisted by half a turn; beyond, its torque is not determined",
+                "at t = {time} s a spring or wire is twisted by half a turn; beyond that its torque is not defined",
                 time = plain(*time)
             ),
             Self::Chatter { event, time } => write!(
                 f,
-                "at t = {time} s events switch torques on and off without end: event {} happens twice at this instant",
+                "at t = {time} s events switch torques on and off endlessly: event {} happens twice at this time",
                 event + 1,
                 time = plain(*time)
             ),
             Self::EventTooFast { event, time, until } => write!(
                 f,
-                "the function of event {} changes too fast: between t = {time} s and {until} s not all passages can be found",
+                "the function of event {} changes too fast: not all crossings between t = {time} s and {until} s can be found",
                 event + 1,
                 time = plain(*time),
                 until = plain(*until)
             ),
-            Self::Stopped { time } => write!(f, "stopped at {time} s, as was asked"),
+            Self::Stopped { time } => write!(f, "stopped at {time} s, as requested"),
             Self::Cancelled { done } => write!(f, "cancelled after {done} members"),
             Self::NotFinite { time } => {
                 write!(f, "the motion is not finite after t = {time} s", time = plain(*time))

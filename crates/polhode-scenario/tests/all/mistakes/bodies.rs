@@ -17,7 +17,7 @@ fn impossible_bodies_are_refused_where_they_are_impossible() {
     refuses(
         &tensor("inertia=[[2,«0.5»,0],[0.4,2,0],[0,0,2]]"),
         "the inertia tensor is not symmetric: I12 = 0.5, but I21 = 0.4",
-        "give each product of inertia once on either side",
+        "give each product of inertia on both sides of the",
     );
     refuses(
         &tensor("products='positive_integral'\ninertia=[[2,0,0],[0,2,«0.5»],[0,0.4,2]]"),
@@ -28,7 +28,7 @@ fn impossible_bodies_are_refused_where_they_are_impossible() {
         &tensor("about=[2,0,0]\ninertia=«[[1,0,0],[0,1,0],[0,0,1]]»"),
         "the inertia tensor is impossible about the centre of mass: I = J - M (d² 1 - d dᵀ), with M = 1 kg and d = (-2, 0, 0) m from the point of \
          J, takes its principal moments 1, 1, 1 to -3, -3, 1 kg·m², and none may be negative",
-        "check the centre of mass and the point that the tensor is about (perhaps it is about the centre of mass already)",
+        "check the centre of mass and the reference point of the tensor (perhaps it is already about the centre of mass),",
     );
     refuses(
         &tensor("moments=[1,1,1]\nproducts=«'negative_integral'»"),
@@ -127,7 +127,8 @@ fn a_density_fits_its_part() {
 fn bodies_beyond_the_range_of_a_double_are_refused() {
     let beyond = "must be positive and finite: too large or too small for f64";
     let text = |size: &str, mass: &str| format!("[[body.part]]\nshape='box'\nsize={size}\nmass={mass}");
-    for (size, hint) in [("«[1,2,1e300]»", "it is larger"), ("«[1e-110,1e-110,1e-110]»", "it is smaller")] {
+    for (size, hint) in [("«[1,2,1e300]»", "it is larger"), ("«[1e-110,1e-110,1e-110]»", "it is smaller")]
+    {
         let error = parse(&text(size, "1").replace(['«', '»'], "")).unwrap_err();
         assert!(error.message().ends_with(beyond), "{error}");
         assert_eq!(error.place().map(|place| place.line), Some(3), "{error}");

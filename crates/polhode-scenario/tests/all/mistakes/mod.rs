@@ -295,12 +295,12 @@ fn keys_that_exclude_each_other_are_refused() {
     );
     refuses(
         &format!("{BALL}[prescribed]\naxis=[0,0,1]\nrate=1\n«[[torque]]»\nmodel='gravity'"),
-        "prescribed and torque are both given: a prescribed motion is given, and the torque that it needs is the answer",
+        "prescribed and torque are both given: the torque of a prescribed motion is computed, not given",
         "leave",
     );
     refuses(
         &format!("{BALL}[prescribed]\naxis=[0,0,1]\nrate=1\n«[pendulum]»\naxis=[0,0,1]"),
-        "prescribed and pendulum are both given: a pendulum swings as gravity moves it",
+        "prescribed and pendulum are both given: gravity alone moves a pendulum",
         "leave",
     );
     refuses(

@@ -531,7 +531,7 @@ fn starts_and_times_of_an_orbit_need_one() {
     );
     refuses(
         &format!("{BALL}{orbit}«[shaft]»\naxis=[0,0,1]\nbearings=[0,1]\nrate=1\n"),
-        "orbit and shaft are both given: a body on an orbit falls freely: no weight is on its bearings",
+        "orbit and shaft are both given: a body in orbit is in free fall: its weight does not load the bearings",
         "leave one of them out",
     );
 }

@@ -119,18 +119,18 @@ impl<'a> RotorProblem<'a> {
             return why("is not that of the body at the start");
         }
         if !rotor.wheels().is_empty() {
-            return why("cannot go with wheels: what is left of the body beside them is not known");
+            return why("cannot be combined with wheels: the mass properties without the wheels are unknown");
         }
         if matches!(method, Method::Splitting { .. }) {
-            return why("cannot go with splitting, which needs a body that stays as it is");
+            return why("cannot be combined with splitting, which needs constant mass properties");
         }
         if events.iter().any(Event::needs_inertia) {
             return why(
-                "cannot go with an event that measures energy, angular momentum or a function of the body",
+                "cannot be combined with an event that measures energy, angular momentum or a function of the body",
             );
         }
         if torques.iter().any(TorqueModel::needs_constant_mass) {
-            return why("cannot go with an energy sink or with gravity on single mass points");
+            return why("cannot be combined with an energy sink or with gravity on single mass points");
         }
         Ok(())
     }

@@ -128,7 +128,7 @@ impl PendulumMotion {
     pub fn of(frequency: f64, angle: f64, rate: f64) -> Result<Self, MotionError> {
         require::positive("the frequency of small swings", frequency)?;
         require::that("the angle", angle, angle.abs() < FARTHEST, "below 1e15 rad")?;
-        let rule = "finite, with a square in the range of numbers beside the frequency's";
+        let rule = "finite, and its square must be comparable with that of the frequency";
         require::that("the rate", rate, (0.5 * rate / frequency).abs() < FASTEST, rule)?;
         let whole = (angle / (2.0 * PI)).round();
         let turns = Double::TAU * Double::from(whole);

@@ -210,7 +210,7 @@ impl MassHistory {
             let [before, after] = pair else { continue };
             let (from, to) = (of(before), of(after));
             if !(after.time >= before.time) {
-                return Err(wrong(after.time, "has a row that is earlier than the one before it"));
+                return Err(wrong(after.time, "has a row that is earlier than the previous row"));
             }
             if after.time == before.time {
                 if is_second {
@@ -394,10 +394,10 @@ fn jump_between(time: f64, from: Moments, to: Moments) -> Result<Option<Jump>, M
         return Ok(Some(Jump::Internal));
     }
     if lost.mass() < 0.0 {
-        return Err(wrong(time, "gains mass, of which the motion is not known"));
+        return Err(wrong(time, "gains mass with unknown motion"));
     }
     if !lost.is_part_of(&from) {
-        return Err(wrong(time, "loses what is no possible body"));
+        return Err(wrong(time, "loses mass that is not a physical body"));
     }
     Ok(Some(Jump::Separation))
 }

@@ -64,10 +64,7 @@ impl Outflow {
         reference: Position<Body>,
     ) -> Result<(), MotionError> {
         if bodies.iter().any(|body| body.properties(reference).is_err()) {
-            return Err(wrong(
-                time,
-                "has impossible bodies before the next row, with the rates that are given",
-            ));
+            return Err(wrong(time, "has unphysical bodies before the next row with the given rates"));
         }
         for pair in bodies.windows(2) {
             let [before, after] = pair else { continue };
@@ -76,14 +73,14 @@ impl Outflow {
                 continue;
             }
             if lost.mass() < 0.0 {
-                return Err(wrong(time, "gains mass, of which the motion is not known"));
+                return Err(wrong(time, "gains mass with unknown motion"));
             }
             match self {
-                Self::None => return Err(wrong(time, "loses mass, and nothing says where it leaves")),
+                Self::None => return Err(wrong(time, "loses mass, but its exit is not defined")),
                 Self::InPlace if !lost.is_part_of(before) => {
                     return Err(wrong(
                         time,
-                        "loses what is no possible body, though it is left behind in place",
+                        "loses mass that is not a physical body, although it is left in place",
                     ));
                 }
                 _ => {}

@@ -37,11 +37,11 @@ impl Trajectory {
         }
         let message = match self.time_beyond(error.computation(), LOST) {
             Some(time) => format!(
-                "no digit of the attitude is right from t = {time} s on: the motion amplifies the errors of its computation beyond {LOST} rad \
+                "no digit of the attitude is correct from t = {time} s on: the motion amplifies the errors of its computation beyond {LOST} rad \
                  (estimate)"
             ),
             None => format!(
-                "the motion amplifies errors: at the end the attitude may be off by {attitude:.1e} rad and ω by {omega:.1e} of itself \
+                "the motion amplifies errors: at the end the attitude may be off by {attitude:.1e} rad and ω by {omega:.1e} (relative) \
                  (estimate)"
             ),
         };
@@ -58,15 +58,14 @@ impl Trajectory {
             Some(time) => (
                 Severity::Warning,
                 format!(
-                    "from t = {time} s on the attitude is that of these very numbers: half a unit in the last place of the moments or the start \
+                    "from t = {time} s on the attitude holds only for exactly these inputs: half a unit in the last place of the moments or the start \
                      turns it by more than {LOST} rad"
                 ),
             ),
             None => (
                 Severity::Info,
                 format!(
-                    "half a unit in the last place of the moments and the start turns the attitude at the end by {attitude:.1e} rad: more \
-                     digits than that are those of these very numbers"
+                    "input rounding limits the attitude at the end to {attitude:.1e} rad (half a unit in the last place of the moments and the start); further digits hold only for exactly these inputs"
                 ),
             ),
         };

@@ -100,7 +100,7 @@ impl FreeMotionDerivatives {
 
     fn with(motion: FreeMotion, tensor: &Symmetric3) -> Result<Self, MotionError> {
         let [least, _, greatest] = motion.principal.moments();
-        let rule = "at least 1e-8 of the greatest, as derivatives are asked for";
+        let rule = "at least 1e-8 of the greatest, because derivatives are requested";
         require::that("a principal moment", least, least >= THINNEST * greatest, rule)?;
         let Labels { labelled, fine, unit } = Labels::of(tensor, &motion.principal, &motion.start);
         let elements = Elements::of(&labelled);

@@ -59,7 +59,7 @@ fn the_dumbbell_finds_the_torque_and_answers_the_notes_question() {
         near(f[1], sign * m * b * omega * omega * sin * cos);
         near(f[2], -sign * m * b * omega * omega * sin * sin);
     }
-    assert!(document.answer.iter().any(|line| line.contains("The motion needs N")));
+    assert!(document.answer.iter().any(|line| line.contains("The motion requires N =")));
     assert!(euler.contains("Σ rα × Fα"));
     // The tensor of the notes, term by term, and the rod named.
     let tensor = section(&document, 3);

@@ -88,10 +88,12 @@ impl Symmetry {
     pub const fn freedom(self) -> &'static str {
         match self {
             Self::Point => "a point: every axis is principal, and none has a moment",
-            Self::Rod => "a rod: axis 1 is its line; axes 2 and 3 are free in the plane across it",
+            Self::Rod => {
+                "a rod: axis 1 is its line; axes 2 and 3 are arbitrary in the plane perpendicular to it"
+            }
             Self::Spherical => "i1 = i2 = i3: every axis is principal",
-            Self::Oblate => "i1 = i2: axes 1 and 2 are free in their plane",
-            Self::Prolate => "i2 = i3: axes 2 and 3 are free in their plane",
+            Self::Oblate => "i1 = i2: axes 1 and 2 are arbitrary in their plane",
+            Self::Prolate => "i2 = i3: axes 2 and 3 are arbitrary in their plane",
             Self::Asymmetric => "three different moments: the axes are determined",
         }
     }

@@ -50,7 +50,7 @@ fn axes_that_symmetry_leaves_free_are_said_to_be() {
     let rows = vec![Row::frame("s"), row, with_moments("s/b", [0.001, 0.002, 0.002], 0.3)];
     let text = text(&of_points(rows, Vec::new(), options(20)));
     assert_eq!(text.matches("any direction perpendicular to axis 1").count(), 2, "{text}");
-    assert!(text.contains("i2 = i3: axes 2 and 3 are free in their plane"), "{text}");
+    assert!(text.contains("i2 = i3: axes 2 and 3 are arbitrary in their plane"), "{text}");
 }
 
 /// The tensor scales with the mass. A quantity that depends on neither has only rounding error.

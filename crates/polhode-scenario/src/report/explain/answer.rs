@@ -42,7 +42,7 @@ pub(crate) fn body(w: &Working<'_>) -> String {
     let principal = w.rotor.principal();
     let mass = n(w.body().mass());
     if principal.symmetry() == Symmetry::Point {
-        return format!("M = {mass} kg in one point: no inertia about {}.", w.point_name());
+        return format!("M = {mass} kg in one point: zero inertia about {}.", w.point_name());
     }
     let moments = principal.moments().map(n).join(", ");
     format!(
@@ -60,7 +60,7 @@ fn needed(w: &Working<'_>) -> Vec<String> {
     let when =
         if needed.state.time == 0.0 { String::new() } else { format!(" at t = {} s", n(needed.state.time)) };
     let mut lines =
-        vec![format!("The motion needs N = {torque} N·m about {} in body axes{when}.", w.point_name())];
+        vec![format!("The motion requires N = {torque} N·m about {} in body axes{when}.", w.point_name())];
     let forces = forces::on_particles(w.scenario, needed);
     if (1..=MOST_PARTICLES).contains(&forces.len()) {
         let each: Vec<String> = forces
@@ -68,7 +68,7 @@ fn needed(w: &Working<'_>) -> Vec<String> {
             .enumerate()
             .map(|(k, f)| format!("F{} = {} N", k + 1, v(f.force.to_array())))
             .collect();
-        lines.push(format!("The forces on the particles that make it: {}.", each.join(", ")));
+        lines.push(format!("The forces on the particles: {}.", each.join(", ")));
     }
     lines
 }
@@ -81,7 +81,7 @@ fn free(w: &Working<'_>) -> Option<String> {
     if let Some((_, cones)) = &free.top {
         if cones.body_half_angle < CLOSED {
             return Some(
-                "A symmetric top turning about its symmetry axis: ω stays, in the body and in space."
+                "A symmetric top that rotates about its symmetry axis: ω is constant, in the body and in space."
                     .to_owned(),
             );
         }

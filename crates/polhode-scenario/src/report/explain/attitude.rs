@@ -19,7 +19,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
         return s;
     }
     let turning = if w.has_sink() { "Ω" } else { "ω" };
-    s.say(format!("The body axes turn with {turning}; R takes body components to space components, and carries all three of them:"));
+    s.say(format!("The body axes rotate with {turning}; R maps body components to space components, and its columns are the three axes:"));
     match inside {
         Some(inside) => inside.attitude_formula(&mut s),
         None => s.formula(
@@ -36,7 +36,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
             );
         }
         Some(free) if let Some((top, _)) = &free.top => {
-            s.say("For the symmetric top the solution is two turns at constant rates, one in space and one in the body:");
+            s.say("For the symmetric top the solution is a product of two rotations at constant rates, one in space and one in the body:");
             s.formula(
                 "R(t) = turn(L̂, φ\u{307} (t − t0)) · R(t0) · turn(e, −Ω (t − t0))",
                 r"R(t) = \operatorname{turn}\left(\hat{\mathbf L}, \dot\varphi (t - t_0)\right) R(t_0) \operatorname{turn}\left(\mathbf e, -\Omega (t - t_0)\right)",
@@ -58,7 +58,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
         None => {
             attitude(&w.start, 0.0, "t0", &mut s);
             if w.is_turning() || w.torque.norm() > 0.0 {
-                s.say("Without a [run] the attitude is followed no further.");
+                s.say("Without [run] the attitude is not computed any further.");
             }
         }
     }
@@ -125,7 +125,7 @@ fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &m
         s.line(format!("in a period of ω ({} s) φ grows by {}°", n(period), n((rate * period).to_degrees())));
     }
     s.say(
-        "The integral of φ\u{307} is an elliptic one of the third kind; it is evaluated by theta functions.",
+        "The integral of φ\u{307} is an elliptic integral of the third kind; it is evaluated with theta functions.",
     );
 }
 
@@ -178,7 +178,7 @@ fn evidence(w: &Working<'_>, s: &mut Section) {
         return;
     }
     let Some(drift) = w.trajectory.as_deref().and_then(Drift::of) else { return };
-    s.say("Evidence: what must hold whatever the solution is, relative, at the worst sample of the run:");
+    s.say("Checks of the conserved quantities, relative, at the worst sample of the run:");
     if w.is_free() {
         s.line(format!("T constant to {}", error(drift.kinetic_energy)));
         s.line(format!("L constant in space to {}", error(drift.momentum)));
@@ -192,7 +192,7 @@ fn evidence(w: &Working<'_>, s: &mut Section) {
     if let Some(estimate) = w.trajectory.as_deref().and_then(Trajectory::error) {
         let end = estimate.end();
         s.line(format!(
-            "estimated error at the end: attitude {} rad, ω {} of itself",
+            "estimated error at the end: attitude {} rad, ω {} (relative)",
             error(end.attitude),
             error(end.omega)
         ));

@@ -42,7 +42,7 @@ fn particles(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
         1 => "one particle".to_owned(),
         many => format!("{many} particles at fixed distances from each other"),
     };
-    s.say(format!("A rigid body of {count}; places in body axes, as they are given."));
+    s.say(format!("A rigid body of {count}; positions in body axes, as given."));
     let rows: Vec<Vec<f64>> = particles
         .iter()
         .take(MOST_ROWS)
@@ -59,7 +59,7 @@ fn particles(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
 fn parts(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
     let parts = w.scenario.parts();
     if parts.is_empty() {
-        s.say("The body is given by its mass, its centre of mass and its inertia tensor.");
+        s.say("The body is defined by its mass, its centre of mass and its inertia tensor.");
         return Vec::new();
     }
     let what = match parts.len() {

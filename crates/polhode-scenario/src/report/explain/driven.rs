@@ -10,7 +10,7 @@ use crate::report::facts::ending_in_words;
 
 /// Writes the torque along a prescribed motion, which needs no solution.
 pub(crate) fn given(w: &Working<'_>, s: &mut Section) {
-    s.say("The motion is given, so ω(t) is known (step 2); the equations gave the torque instead.");
+    s.say("The motion is prescribed, so ω(t) is known (step 2), and the equations give the torque instead.");
     if !w.rows.samples.is_empty() {
         s.say(format!("The torque along the motion, in body axes{}:", w.rows.words));
         table(w, true, s);
@@ -20,7 +20,7 @@ pub(crate) fn given(w: &Working<'_>, s: &mut Section) {
 /// Writes the integrated equation, and ω(t).
 pub(crate) fn integrate(w: &Working<'_>, s: &mut Section) {
     if w.rotor.principal().symmetry() == Symmetry::Point {
-        s.say("There is nothing to solve: all the mass is in the point that it would turn about.");
+        s.say("There is nothing to solve: all the mass is at the reference point.");
         return;
     }
     // The closed form has been written before.
@@ -44,7 +44,7 @@ pub(crate) fn integrate(w: &Working<'_>, s: &mut Section) {
         }
         None => {
             s.say(format!(
-                "ω changes at {} rad/s² at first (step 4). Give the scenario a [run] to have it integrated.",
+                "ω changes at {} rad/s² at t0 (step 4). Add [run] to the scenario to integrate the motion.",
                 v(w.acceleration.to_array())
             ));
         }

@@ -103,8 +103,7 @@ fn limits(form: &JacobiForm, regime: Regime, s: &mut Section) {
     let circling = if regime == Regime::LongAxis { "axis 1" } else { "axis 3" };
     if regime == Regime::Separatrix {
         s.say(
-            "The period is infinite: ω goes to the intermediate axis, ω2 → ±A2, and never arrives. For any other start \
-             nearby it comes close and turns over, once in 2 K / λ ≃ ln(16 / (1 − k²)) / λ.",
+            "The period is infinite: ω approaches the intermediate axis, ω2 → ±A2, without reaching it. For any other start nearby, ω comes close and the body flips, once in 2 K / λ ≃ ln(16 / (1 − k²)) / λ.",
         );
     } else if k < NEARLY_CIRCULAR {
         s.say(format!(

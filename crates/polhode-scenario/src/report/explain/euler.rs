@@ -20,8 +20,7 @@ pub(crate) fn section(w: &Working<'_>) -> Section {
         return s;
     }
     s.say(
-        "N = dL/dt holds in space. Body axes turn, so there N = {I} ω\u{307} + ω × L; along the principal axes, with the \
-         components of ω and N along them, these are Euler's equations:",
+        "N = dL/dt holds in space axes. In the rotating body axes it becomes N = {I} ω\u{307} + ω × L; along the principal axes, these are Euler's equations:",
     );
     s.formula(
         "N1 = i1 ω\u{307}1 − (i2 − i3) ω2 ω3\n\
@@ -48,7 +47,7 @@ const CYCLES: [(usize, usize, usize); 3] = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
 /// Writes the angular acceleration that follows from the torque.
 fn acceleration(w: &Working<'_>, s: &mut Section) {
     if !w.is_turning() && w.torque.norm() == 0.0 {
-        s.say("With ω = 0 and N = 0 they say ω\u{307} = 0.");
+        s.say("With ω = 0 and N = 0 they give ω\u{307} = 0.");
         return;
     }
     let principal = w.rotor.principal();
@@ -112,7 +111,7 @@ fn torque_needed(w: &Working<'_>, s: &mut Section) {
         let terms = format!("{}·{} - ({} - {})·{wa}·{wb}", n(i[k]), factor(rate[k]), n(i[a]), n(i[b]));
         s.sum(&format!("N{}", k + 1), &[terms], &format!("{} N·m", n(torque[k])));
     }
-    s.say(format!("The torque that keeps this motion, about {}, back in body axes:", w.point_name()));
+    s.say(format!("The torque required for this motion, about {}, back in body axes:", w.point_name()));
     let body = tidy_beside(needed.torque.to_array(), scale);
     s.line(format!("N = {} N·m,  |N| = {} N·m", exactly(body), n(needed.torque.norm())));
     if w.start.attitude != polhode::math::Attitude::identity() {
@@ -147,7 +146,7 @@ fn condition(w: &Working<'_>, s: &mut Section) {
         );
     } else {
         s.say(format!(
-            "The shorter N = {{I}} ω\u{307} holds only where ω × L = 0, that is with ω along a principal axis. Here \
+            "The simplified equation N = {{I}} ω\u{307} holds only where ω × L = 0, that is with ω along a principal axis. Here \
              |ω×L| = {} N·m, so it would be wrong.",
             n(size)
         ));
@@ -161,7 +160,7 @@ fn particles(w: &Working<'_>, s: &mut Section) {
     if forces.is_empty() || forces.len() > MOST_PARTICLES {
         return;
     }
-    s.say("Which forces give rise to it? Each particle needs the force that bends its own path:");
+    s.say("The forces: each particle needs the force that gives it its acceleration:");
     s.formula(
         "Fα = mα [ ω\u{307} × rα + ω × (ω × rα) ]",
         r"\mathbf F_\alpha = m_\alpha \left[ \dot{\boldsymbol\omega} \times \mathbf r_\alpha + \boldsymbol\omega \times (\boldsymbol\omega \times \mathbf r_\alpha) \right]",
@@ -170,8 +169,7 @@ fn particles(w: &Working<'_>, s: &mut Section) {
         s.line(format!("F{} = {} N", k + 1, v(f.force.to_array())));
     }
     s.say(
-        "Split along rα and across it: the part along only pulls at the body (negative: tension toward the origin) and \
-         has no torque; the part across makes all of it.",
+        "Components along rα and perpendicular to it: the parallel component (negative: tension toward the origin) has no torque; the perpendicular component produces the whole torque.",
     );
     let row = |(f, p): (&ParticleForce, &Particle<Body>)| {
         let scale = f.force.norm();
@@ -195,7 +193,6 @@ fn particles(w: &Working<'_>, s: &mut Section) {
         s.line(format!("Σ Fα = {} N: M times the acceleration of the centre of mass", exactly(force)));
     }
     s.say(
-        "A rigid body passes forces on: from outside any other set with this sum and this torque does the same, the \
-         bearings of a shaft for instance.",
+        "A rigid body transmits forces: any other external forces with the same sum and torque have the same effect, for instance at the bearings of a shaft.",
     );
 }

@@ -14,7 +14,7 @@ use crate::report::free_facts::FreeFacts;
 
 pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     if w.rotor.principal().symmetry() == Symmetry::Point {
-        s.say("There is nothing to solve: all the mass is in one point, which has no rotation.");
+        s.say("There is nothing to solve: all the mass is in one point, which cannot rotate.");
         return;
     }
     let Some(free) = &w.at_start else { return };
@@ -31,8 +31,7 @@ fn permanent(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
         return;
     }
     s.say(format!(
-        "ω lies along a principal axis, so ω × L = 0 and ω\u{307} = 0: {}. It keeps its axis and its rate, in the body \
-         and in space.",
+        "ω lies along a principal axis, so ω × L = 0 and ω\u{307} = 0: {}. The axis and the rate are constant, in the body and in space.",
         free.regime.description()
     ));
     s.formula("ω(t) = ω(t0)", r"\boldsymbol\omega(t) = \boldsymbol\omega(t_0)");
@@ -40,7 +39,7 @@ fn permanent(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
     s.line(format!("ω = {} rad/s, one turn in {} s", v(w.start.omega.to_array()), n(TAU / speed)));
     if let Some(growth) = free.growth_rate {
         s.say(
-            "But the intermediate axis is unstable: perturbations grow as exp(σ t), and the body flips over, again \
+            "But rotation about the intermediate axis is unstable: perturbations grow as exp(σ t), and the body flips over, again \
              and again.",
         );
         growth_rate(growth, s);
@@ -61,8 +60,7 @@ fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut S
     }
     s.say(
         "Two moments are equal: a symmetric top. Take e, the symmetry axis, with I_e about it and I_t across it (the \
-         notes' I3 and I1 = I2), û along the part of ω across e at t0, and v̂ = e × û. The equation along e says ω_e = \
-         constant (the notes' ω3), and the others become",
+         notes' I3 and I1 = I2), û along the part of ω across e at t0, and v̂ = e × û. The equation along e gives ω_e = constant (the notes' ω3), and the others become",
     );
     s.formula(
         "ω\u{307}_u = −Ω ω_v,   ω\u{307}_v = +Ω ω_u,   Ω = (I_e − I_t) ω_e / I_t",
@@ -89,7 +87,9 @@ fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut S
         once_in(top.body_rate())
     ));
     if top.body_rate() == 0.0 {
-        s.say("Ω = 0: ω is across the symmetry axis, along a principal axis too, and stays.");
+        s.say(
+            "Ω = 0: ω is perpendicular to the symmetry axis, so it is along a principal axis and constant.",
+        );
     }
     cones(w, motion, top, s);
 }
@@ -99,8 +99,8 @@ fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut S
 /// Both cones are lines.
 fn along_axis(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     s.say(
-        "Two moments are equal: a symmetric top, and ω lies along its symmetry axis e (but for rounding), so \
-         ω × L = 0 and ω\u{307} = 0. It keeps its axis and its rate, in the body and in space.",
+        "Two moments are equal: a symmetric top, and ω lies along its symmetry axis e (within rounding), so \
+         ω × L = 0 and ω\u{307} = 0. The axis and the rate are constant, in the body and in space.",
     );
     s.formula("ω(t) = ω(t0)", r"\boldsymbol\omega(t) = \boldsymbol\omega(t_0)");
     s.line(format!("e = {}", v(top.axis().to_array())));
@@ -113,7 +113,7 @@ fn cones(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Secti
     s.say(format!(
         "In the body ω circles e at Ω{sense} and sweeps the body cone. In space L is fixed, and T = ½ ω L cos γ is \
          constant, so ω keeps its angle γ to L and sweeps the space cone; ω and e both circle L, at the same rate φ\u{307}. \
-         The cones touch along ω, and one rolls on the other."
+         The cones touch along ω, and the body cone rolls on the space cone."
     ));
     s.formula(
         "tan (ω,e) = A / |ω_e|,   φ\u{307} = |L| / I_t,   ω = L/I_t − Ω e   (so L, ω and e lie in one plane)",
@@ -143,8 +143,7 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
     let l = w.rotor.angular_momentum(w.start.omega);
     let (l2, t) = (l.dot(l), w.rotor.kinetic_energy(w.start.omega));
     s.say(
-        "Three different moments: Euler's equations stay coupled, but two quantities stay constant, so ω runs along a \
-         closed curve, the polhode, where the two ellipsoids meet:",
+        "Three different moments: Euler's equations are coupled, but energy and angular momentum are constant. So ω moves along a closed curve, the polhode, which is the intersection of two ellipsoids:",
     );
     s.formula(
         "2T = i1 ω1² + i2 ω2² + i3 ω3²,   L² = (i1 ω1)² + (i2 ω2)² + (i3 ω3)²,   D = L² / 2T",
@@ -152,7 +151,7 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
     );
     s.line(format!("2T = {} J,  L² = {} (kg·m²/s)²", n(2.0 * t), n(l2)));
     s.line(format!(
-        "D = {} kg·m²,  beside i1, i2, i3 = {}, {}, {} kg·m²",
+        "D = {} kg·m²,  compared with i1, i2, i3 = {}, {}, {} kg·m²",
         n(l2 / (2.0 * t)),
         n(i1),
         n(i2),
@@ -193,7 +192,7 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
             s.say(format!("ω(t) {how}{}:", w.rows.words));
             driven::table(w, false, s);
         }
-        None => s.say("Give the scenario a [run] to have ω(t) in numbers."),
+        None => s.say("Add [run] to the scenario to compute values of ω(t)."),
     }
 }
 

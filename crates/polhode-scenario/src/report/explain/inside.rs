@@ -94,8 +94,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         let w = self.w;
         if self.has_wheels() {
             s.say(
-                "The wheels carry angular momentum of their own, h: of each its moment of inertia about its axis times its speed. {I} is \
-                 the tensor without what wheels with a motor have about their axes.",
+                "The wheels have angular momentum h, the sum of each wheel's moment of inertia about its axis times its speed. {I} is the tensor without the axial moments of wheels with a motor.",
             );
             s.formula(
                 "L = {I} ω + h",
@@ -196,7 +195,7 @@ impl<'a, 'w> Inside<'a, 'w> {
                 s.say(format!("ω(t) {how}{}:", self.w.rows.words));
                 driven::table(self.w, !self.is_free(), &mut s);
             }
-            None => s.say("Give the scenario a [run] to have ω(t) in numbers."),
+            None => s.say("Add [run] to the scenario to compute values of ω(t)."),
         }
         s
     }
@@ -253,15 +252,14 @@ impl<'a, 'w> Inside<'a, 'w> {
         }
         s.say(match (self.is_free(), self.has_sink(), self.is_driven()) {
             (true, false, false) => {
-                "No torque acts from outside, no motor turns a wheel and nothing rubs: L is kept in space, and T is kept."
+                "No external torque acts, no motor works and there is no friction: L is constant in space, and T is constant."
             }
-            (true, true, false) => "No torque acts from outside: L is kept in space. T only falls.",
+            (true, true, false) => "No external torque acts: L is constant in space. T only decreases.",
             (true, false, true) => {
-                "No torque acts from outside: L is kept in space. T changes only while a motor works: what a motor takes from the \
-                 body's angular momentum its wheel has."
+                "No external torque acts: L is constant in space. T changes only while a motor works: the motor transfers angular momentum between the body and its wheel."
             }
-            (true, true, true) => "No torque acts from outside: L is kept in space. T changes while a motor works, and falls else.",
-            (false, ..) => "A torque acts from outside, so that L changes in space as the torque says.",
+            (true, true, true) => "No external torque acts: L is constant in space. T changes while a motor works, and otherwise decreases.",
+            (false, ..) => "An external torque acts, so L changes in space: dL/dt = N.",
         });
     }
 
@@ -269,12 +267,14 @@ impl<'a, 'w> Inside<'a, 'w> {
     fn end(&self, s: &mut Section) {
         if !self.is_free() {
             s.say(
-                "While a torque acts from outside L changes, so that L at the start does not decide the end.",
+                "While an external torque acts, L changes, so L at the start does not determine the final state.",
             );
             return;
         }
         let Some(&time) = PermanentRotation::times(self.w.rotor).last() else {
-            s.say("A motor never stops: its wheel has more and more angular momentum, and the body as much less.");
+            s.say(
+                "A motor never stops: its wheel gains angular momentum, and the body loses the same amount.",
+            );
             return;
         };
         let size = self.momentum.norm();
@@ -292,7 +292,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         };
         if !self.has_sink() {
             s.say(
-                "Nothing costs energy, so that it tends nowhere. Of the spins that stay, those with this |L| that have the least and the most \
+                "No energy is dissipated, so there is no final state. The steady spins with this |L| of the least and the greatest \
                  energy are",
             );
             s.line(format!("least: {}", spin(least)));
@@ -304,13 +304,13 @@ impl<'a, 'w> Inside<'a, 'w> {
         } else {
             ""
         };
-        s.say("Friction lowers T at the |L| that is kept, until ω lies along L where T is least:");
+        s.say("Friction lowers T at constant |L| until ω lies along L, where T is minimal:");
         s.line(format!("{such} {}", spin(least)).trim_start());
         if !self.is_driven() {
             let now = self.w.rotor.kinetic_energy(self.omega);
             let lost = now - energy(least);
             let part = if now > 0.0 { format!(", {} % of T", n(100.0 * lost / now)) } else { String::new() };
-            s.line(format!("what becomes heat: {} - {} = {} J{part}", n(now), n(energy(least)), n(lost)));
+            s.line(format!("dissipated as heat: {} - {} = {} J{part}", n(now), n(energy(least)), n(lost)));
         }
         self.decay(&all, s);
     }
@@ -318,7 +318,7 @@ impl<'a, 'w> Inside<'a, 'w> {
     /// Writes the linear decay rates near the steady spins with this |L|.
     fn decay(&self, all: &[PermanentRotation], s: &mut Section) {
         let Ok(sink) = EnergySink::new(self.alpha) else { return };
-        s.say("How fast, by the linear equations next to the spins that have this |L| (polhode stability has them all):");
+        s.say("Rates, from the equations linearized about the steady spins with this |L| (polhode stability lists them all):");
         // Opposite spins have equal energy; the one closer to ω is taken.
         let energy = |one: &PermanentRotation| self.w.rotor.kinetic_energy(one.omega);
         let nearest = |extreme: Option<&PermanentRotation>| {
@@ -346,7 +346,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         let h = self.w.rotor.wheel_momentum(time);
         s.line(format!("h after the last motor, at t = {} s: {} kg·m²/s", n(time), v(h.to_array())));
         if self.momentum.norm() > 0.0 {
-            s.say("L stays in space, and with these h the body has {I} ω = L − h.");
+            s.say("L is constant in space, and with these h the body has {I} ω = L − h.");
             return;
         }
         // I ω = −h is solved along the principal axes.
@@ -355,7 +355,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         let moments = self.w.rotor.principal().moments();
         let omega = [0, 1, 2].map(|k| if moments[k] > 0.0 { -along[k] / moments[k] } else { 0.0 });
         let omega = self.w.rotor.principal().rotation() * AngularVelocity::from_array(omega);
-        s.say("L = 0 stays so: the body turns against its wheels, {I} ω = −h, steadily once the motors have stopped:");
+        s.say("L = 0 remains: the body rotates against its wheels, {I} ω = −h, steadily once the motors have stopped:");
         s.line(format!("ω = −{{I}}⁻¹ h = {} rad/s", v(omega.to_array())));
     }
 
@@ -363,12 +363,12 @@ impl<'a, 'w> Inside<'a, 'w> {
         let l = v(self.momentum.to_array());
         let energy = n(self.w.rotor.kinetic_energy(self.omega));
         let rest = match (self.is_free(), self.has_sink()) {
-            (true, true) => "L is kept in space and T falls to the least that |L| allows",
+            (true, true) => "L is constant in space and T decreases to the minimum for this |L|",
             (true, false) => "L is kept in space",
             (false, _) => "L changes by the torque from outside",
         };
         let sum = if self.has_wheels() { "{I} ω + h" } else { "{I} ω" };
-        format!("Something moves inside: L = {sum} = {l} kg·m²/s and T = {energy} J at the start; {rest}.")
+        format!("Internal motion: L = {sum} = {l} kg·m²/s and T = {energy} J at the start; {rest}.")
     }
 }
 

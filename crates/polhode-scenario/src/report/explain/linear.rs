@@ -28,7 +28,7 @@ pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     let (torques, all) = match all {
         Err(_) if !gradients.is_empty() => {
             let all = OrbitalEquilibrium::all(w.rotor, &gradients, w.start);
-            s.say("Under all torques nothing is at rest relative to the orbit; by the gradient of gravity alone:");
+            s.say("With all torques there is no attitude at rest relative to the orbit; with the gravity gradient alone:");
             (gradients, all)
         }
         all => (torques, all),
@@ -48,7 +48,7 @@ pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     if let Ok(state) = SmallOscillations::equilibrium_near(w.rotor, &torques, at_rest) {
         let turned = state.attitude.angle_to(w.start.attitude).to_degrees();
         s.say(format!(
-            "Small motions: the nearest attitude at rest is {}° from the start. With δθ the turn from it, along body axes, the \
+            "Small motions: the nearest attitude at rest is {}° from the start. With δθ the rotation from it, in body axes, the \
              equations linear in δθ are",
             n(turned)
         ));
@@ -65,12 +65,12 @@ fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
     if drag.law() == DragLaw::Quadratic {
         s.say(
             "Drag by the square of ω has no linear part: N = −|ω| D ω. About a principal axis that is one of D too, d|ω|/dt = −(d/i) ω², \
-             so 1/|ω| grows evenly, ω = ω0 / (1 + ω0 d t / i): it slows for ever and never as exp(−t/τ).",
+             so 1/|ω| grows linearly, ω = ω0 / (1 + ω0 d t / i): the decay is algebraic, not exponential.",
         );
         return;
     }
     s.say(
-        "Where ω is small, ω × {I} ω is of second order and drops out. What is left is linear, with a decay rate for each \
+        "For small ω, ω × {I} ω is of second order and is neglected. The remaining equation is linear, with a decay rate for each \
          eigenvector of {I}⁻¹ C:",
     );
     s.formula(
@@ -87,7 +87,7 @@ fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
     };
     let size = (0..3).map(|k| along(k, k)).fold(0.0, f64::max);
     if principal.moments()[0] == 0.0 {
-        s.say("Without inertia about axis 1 there is no rate about it to slow. Across it {I}⁻¹ C is");
+        s.say("Without inertia about axis 1 its rate is undetermined. Perpendicular to it {I}⁻¹ C is");
         for (a, b) in [(1, 1), (1, 2), (2, 2)] {
             s.line(format!("C{0}{1} / i{0} = {2} /s", a + 1, b + 1, n(along(a, b) / principal.moments()[a])));
         }
@@ -136,7 +136,7 @@ fn librations(w: &Working<'_>, place: &OrbitalEquilibrium, rate: f64, alone: boo
     s.line(format!("Ip = {},  Ir = {},  Iy = {} kg·m²,  n = {} rad/s", n(normal), n(ahead), n(up), n(rate)));
     s.line(format!("3n² (Ir − Iy) = {} N·m/rad", n(3.0 * rate * rate * (ahead - up))));
     if !alone {
-        s.say("The other torques add their own terms; the modes below are of all of them.");
+        s.say("The other torques add further terms; the modes below include all torques.");
         return;
     }
     let Ok(libration) = Libration::of([ahead, normal, up], rate) else { return };
@@ -175,6 +175,6 @@ fn modes(w: &Working<'_>, torques: &[TorqueModel], state: State, s: &mut Section
     s.say("δθ = e^(σt) (u cos ϖt + …), by the eigenvalues σ ± iϖ of these equations:");
     s.table(&["ϖ (rad/s)", "σ (/s)", "period (s)", "u, body axes"], rows.collect());
     if !found.is_stable() {
-        s.say("A mode with σ > 0 grows: this attitude does not last.");
+        s.say("A mode with σ > 0 grows: this attitude is unstable.");
     }
 }

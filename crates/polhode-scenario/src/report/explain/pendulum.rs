@@ -16,8 +16,7 @@ pub(crate) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     let Some(axis) = w.scenario.suspension().and_then(|hanging| hanging.axis.direction()) else { return };
     let mass = w.rotor.mass();
     s.say(
-        "The body hangs from a fixed axis n̂: only the angle θ from hanging straight down is left, and of Euler's equations \
-         the component along n̂. Gravity pulls the centre of mass, at the distance d, back to θ = 0 (the notes lose this \
+        "The body hangs from a fixed axis n̂: the only variable is the angle θ from the hanging position, with the component of Euler's equations along n̂. Gravity pulls the centre of mass, at the distance d, back to θ = 0 (the notes lose this \
          minus sign):",
     );
     s.formula(
@@ -47,7 +46,9 @@ pub(crate) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     swing_test(w, pendulum, s);
     // The pivot of the run holds a point only, so the body leaves n̂ unless it is a principal axis.
     if leaves(w.scenario, axis) && w.trajectory.is_some() {
-        s.say("The run below holds only the pivot and not the axis, so its motion is another than this pendulum's.");
+        s.say(
+            "The run below holds only the pivot, not the axis, so its motion differs from this pendulum's.",
+        );
     }
 }
 
@@ -92,10 +93,10 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
     };
     match swing {
         Swing::Rest => {
-            s.say("At rest there it stays; give it an amplitude or a start to have its exact period.");
+            s.say("At rest it stays there; add an amplitude or a start to compute the exact period.");
         }
         Swing::Oscillation { amplitude, period } => {
-            s.say("At a finite amplitude the period is longer, by an elliptic integral:");
+            s.say("At a finite amplitude the period is longer; it is an elliptic integral:");
             s.formula(
                 "P = 4 K(k) / ω0,   k = sin ½θmax,   K(k) = ∫ dx / √(1 − k² sin² x), x from 0 to π/2",
                 r"P = \frac{4 K(k)}{\omega_0}, \qquad k = \sin \tfrac12 \theta_{\max}, \qquad K(k) = \int_0^{\pi/2} \frac{dx}{\sqrt{1 - k^2 \sin^2 x}}",
@@ -106,13 +107,13 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
             series(amplitude, longer, s);
         }
         Swing::Separatrix if is_upright(pendulum) && !w.is_turning() => {
-            s.say("It stands upright at rest: an equilibrium, and an unstable one.");
+            s.say("It is at rest upright: an unstable equilibrium.");
         }
         Swing::Separatrix => {
-            s.say("It has just enough energy to come to rest upside down, which takes forever.");
+            s.say("It has exactly the energy of the upright position, which it approaches in infinite time.");
         }
         Swing::Revolution { period } => {
-            s.say("It has enough energy to go over the top, round and round.");
+            s.say("It has enough energy to rotate over the top.");
             s.line(format!("one turn in {} s", n(period)));
         }
     }
@@ -145,8 +146,7 @@ fn swing_test(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     let steiner = mass * arm * arm;
     let central = tidy_beside([pendulum.moment() - steiner, 0.0, 0.0], pendulum.moment())[0];
     s.say(
-        "The swing test reads this backwards: hang a body of known M and d, count small swings, and the period P gives its moment \
-         of inertia about the axis; parallel axes give that about the centre of mass:",
+        "The swing test inverts this formula: suspend a body of known M and d and count small swings. The period P gives the moment of inertia about the axis, and the parallel-axis theorem the moment about the centre of mass:",
     );
     s.formula(
         "I = M g d (P / 2π)²,   I_c = I − M d²",
@@ -164,8 +164,7 @@ fn swing_test(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     s.line(format!("I_c = {} - {} = {} kg·m²", n(pendulum.moment()), n(steiner), n(central)));
     if central > 1e-9 * pendulum.moment() {
         s.say(format!(
-            "An error of 1 % in P is one of 2 % in I, and of {} % in I_c, since M d² is taken off: hang it so that d is near the \
-             gyration radius {} m, where the two are alike and P depends least on d.",
+            "An error of 1 % in P causes an error of 2 % in I, and of {} % in I_c, because M d² is subtracted. Suspend it so that d is near the gyration radius {} m, where both are similar and P depends least on d.",
             n(2.0 * pendulum.moment() / central),
             n((central / mass).sqrt())
         ));

@@ -29,7 +29,7 @@ pub(crate) fn derive(parts: &[BodyPart], s: &mut Section) {
         otherwise(part, s);
     }
     if shapes.iter().any(|(part, _)| part.form.as_ref().is_some_and(|form| form.rotation.angle() != 0.0)) {
-        s.say("A part that is turned by R in the body has the tensor R I Rᵀ along the body axes.");
+        s.say("A part that is rotated by R has the tensor R I Rᵀ in body axes.");
     }
 }
 
@@ -91,7 +91,9 @@ fn otherwise(part: &BodyPart, s: &mut Section) {
                 ));
             }
         }
-        _ => s.say(format!("{name}: its density varies; the integral with ρ(x, y, z) is done numerically.")),
+        _ => s.say(format!(
+            "{name}: its density varies; the integral with ρ(x, y, z) is computed numerically."
+        )),
     }
 }
 
@@ -101,7 +103,7 @@ fn triangle(part: &BodyPart, vertices: &[[f64; 2]; 3], length: f64, s: &mut Sect
     let kind = if length > 0.0 { "prism of length l along z" } else { "thin plate" };
     let sum = "Sij = ∫ xi xj dm = (m/12) Σ (pi − ci)(pj − cj) over its corners p,   c = Σ p/3,";
     let sum_tex = r"S_{ij} = \int x_i x_j dm = \frac{m}{12} \sum_p (p_i - c_i)(p_j - c_j), \qquad \mathbf c = \tfrac13 \sum_p \mathbf p,";
-    s.say(format!("{}: a triangle is as three particles at its corners, each with a twelfth of its mass; this is a {kind}:", part.name));
+    s.say(format!("{}: a triangle is equivalent to particles at its vertices, each with 1/12 of its mass; this is a {kind}:", part.name));
     if length > 0.0 {
         s.formula(
             &format!("{sum}   Ixx = Syy + m l²/12,   Iyy = Sxx + m l²/12,   Izz = Sxx + Syy,   Ixy = −Sxy"),

@@ -38,7 +38,7 @@ fn omega(w: &Working<'_>, s: &mut Section) {
 }
 
 fn given_motion(motion: &Prescribed, s: &mut Section) {
-    s.say("The motion is given; the question is what torque it takes.");
+    s.say("The motion is prescribed; the required torque is unknown.");
     match motion {
         Prescribed::FixedAxis { axis, rate, acceleration, .. } => {
             s.formula("ω(t) = n̂ (ω0 + α t)", r"\boldsymbol\omega(t) = \hat{\mathbf n} (\omega_0 + \alpha t)");
@@ -60,14 +60,14 @@ fn given_motion(motion: &Prescribed, s: &mut Section) {
         Prescribed::EulerAngles(_) => s.say("Its Euler angles φ, θ, ψ (3-1-3) are formulas of t; ω follows from their derivatives."),
         Prescribed::Quaternion(_) => s.say("Its attitude is a quaternion whose components are formulas of t; ω follows from their derivatives."),
         Prescribed::Turning(_) => s.say("ω(t) is given; the attitude follows from it."),
-        Prescribed::Table(_) => s.say("Its attitudes are a table, made smooth; ω is the derivative of that curve."),
+        Prescribed::Table(_) => s.say("Its attitude is a smooth interpolation of a table; ω is the derivative of that curve."),
         _ => {}
     }
 }
 
 fn torque(w: &Working<'_>, s: &mut Section) {
     if w.needed.is_some() {
-        s.line("N  is to be found: step 4");
+        s.line("N  is unknown: step 4");
         return;
     }
     for wheel in w.scenario.wheels() {
@@ -78,7 +78,7 @@ fn torque(w: &Working<'_>, s: &mut Section) {
         s.say(format!("Inside is {}.", Description::of(sink).text()));
     }
     if w.scenario.torques().iter().all(|torque| is_sink(&torque)) {
-        s.say("No torque acts from outside: N = 0, and L is constant in space.");
+        s.say("No external torque acts: N = 0, and L is constant in space.");
         return;
     }
     s.say("Torque at t0, in body axes:");
@@ -95,7 +95,7 @@ fn torque(w: &Working<'_>, s: &mut Section) {
                 s.line(format!("g = {} m/s² in body axes", v(down.to_array())));
                 s.line(format!("N = {at_start} N·m"));
                 if w.scenario.pivot().is_none() {
-                    s.say("About the centre of mass uniform gravity has no torque (l = 0).");
+                    s.say("Uniform gravity has no torque about the centre of mass (l = 0).");
                 }
             }
             TorqueModel::Constant(ConstantTorque::Body(_)) => {
@@ -115,10 +115,10 @@ fn torque(w: &Working<'_>, s: &mut Section) {
 fn kinematics(w: &Working<'_>, s: &mut Section) {
     let velocity = w.center_velocity();
     if !w.is_turning() && velocity.norm() == 0.0 {
-        s.say("Nothing moves at t0: every v = 0 and T = 0.");
+        s.say("The body is at rest at t0: every v = 0 and T = 0.");
         return;
     }
-    s.say("Every point of the body moves at (V is the velocity of the origin, r leads from it):");
+    s.say("The velocity of a point of the body, with V the velocity of the origin and r the vector from the origin to the point:");
     s.formula("v = V + ω × r", r"\mathbf v = \mathbf V + \boldsymbol\omega \times \mathbf r");
     if w.scenario.pivot().is_some() {
         s.line("V  = 0: the pivot is fixed");
@@ -146,8 +146,7 @@ fn kinematics(w: &Working<'_>, s: &mut Section) {
 /// Writes the kinetic energy T = T_trans + T_rot, with the value of the cross term.
 fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<Space>, s: &mut Section) {
     s.say(
-        "The kinetic energy, with the centre of mass as the origin and V its velocity, is that of the centre and that \
-         of the rotation about it: the cross term is zero, since Σ mα rα = 0 there.",
+        "With the centre of mass as the origin and V its velocity, the kinetic energy is the sum of the translational and the rotational energy. The cross term is zero, because Σ mα rα = 0.",
     );
     s.formula(
         "T = ½ M V² + V · (ω × Σ mα rα) + ½ Σ mα (ω × rα)² = T_trans + 0 + T_rot",
@@ -175,10 +174,10 @@ fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<
     s.line(format!("T_rot   = {how} = {} J, about the centre of mass", n(rotation)));
     s.line(format!("T       = {} J", n(total)));
     if w.scenario.pivot().is_some() {
-        s.say("About the fixed pivot all of T is rotation; step 3 finds the same number with the tensor about the pivot.");
+        s.say("About the fixed pivot, all kinetic energy is rotational; step 3 gives the same value with the tensor about the pivot.");
     } else if let Some(first) = moving.first().filter(|_| exact && w.is_turning() && moving.len() > 1) {
         let other = KineticEnergySplit::of(moving, first.velocity);
-        s.say("From any other origin T is the same, but the cross term is there; with particle 1 as the origin:");
+        s.say("T does not depend on the origin, but for another origin the cross term is not zero. With particle 1 as the origin:");
         s.line(format!(
             "T = {} + {} + {} = {} J",
             n(other.translation),

@@ -38,7 +38,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
     let tensor = w.rotor.inertia().matrix();
     s.matrix("{I}", tensor, "kg·m²");
     if w.rotor.principal().symmetry() == Symmetry::Point {
-        s.say("All the mass is in the point that it would turn about: there is no inertia, and no axis differs from any other.");
+        s.say("All the mass is at the reference point, so the inertia is zero and every axis is a principal axis.");
         return s;
     }
     characteristic(w, tidy_matrix(tensor), &mut s);
@@ -78,7 +78,7 @@ fn parts(w: &Working<'_>, s: &mut Section) {
     let shown = w.scenario.parts().len().min(MOST_PARTS);
     super::shape::derive(&w.scenario.parts()[..shown], s);
     s.say(format!(
-        "Each part has its own tensor about its own centre of mass, and d leads from {} to it; parallel axes move it there:",
+        "Each part has its own tensor about its own centre of mass, and d leads from {} to it; the parallel-axis theorem shifts it there:",
         w.point_name()
     ));
     s.formula(
@@ -121,9 +121,7 @@ fn characteristic(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
         "\\begin{vmatrix}\nI_{xx}-\\lambda & I_{xy} & I_{xz} \\cr\nI_{yx} & I_{yy}-\\lambda & I_{yz} \\cr\nI_{zx} & I_{zy} & I_{zz}-\\lambda\n\\end{vmatrix} = 0",
     );
     if is_diagonal(m) {
-        s.say(
-            "{I} is diagonal: the body axes are principal axes already, and the roots stand on the diagonal.",
-        );
+        s.say("{I} is diagonal: the body axes are principal axes, and the roots are the diagonal elements.");
     } else {
         cubic(m, s);
     }
@@ -174,7 +172,7 @@ fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
             Symmetry::Spherical | Symmetry::Point => &[],
         };
         for &k in alone {
-            s.say(format!("Put λ = i{} in and solve for the axis, which only has a direction:", k + 1));
+            s.say(format!("Put λ = i{} in and solve for the direction of the axis:", k + 1));
             let rows: [[f64; 3]; 3] = std::array::from_fn(|i| {
                 std::array::from_fn(|j| m[i][j] - if i == j { moments[k] } else { 0.0 })
             });
@@ -188,14 +186,13 @@ fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     }
     match symmetry {
         Symmetry::Oblate | Symmetry::Prolate | Symmetry::Rod => s.say(format!(
-            "The root {} is double, and put in it leaves one equation instead of two: every direction in the plane across \
-             axis {} is principal. Any two perpendicular ones do; chosen are those nearest to the body axes ({}).",
+            "The root {} is double, so only one independent equation remains: every direction in the plane perpendicular to axis {} is principal. Any two perpendicular directions are valid; here the two nearest to the body axes are chosen ({}).",
             if symmetry == Symmetry::Oblate { "i1 = i2" } else { "i2 = i3" },
             if symmetry == Symmetry::Oblate { 3 } else { 1 },
             symmetry.freedom()
         )),
         Symmetry::Spherical => {
-            s.say(format!("The root is threefold: {}; the body axes will do.", symmetry.freedom()));
+            s.say(format!("The root is triple: {}; the body axes are used.", symmetry.freedom()));
         }
         Symmetry::Asymmetric | Symmetry::Point => {}
     }
@@ -221,16 +218,16 @@ fn momentum(w: &Working<'_>, m: [[f64; 3]; 3], inside: Option<&Inside<'_, '_>>, 
     if !w.is_turning() {
         match wheels {
             Some(inside) => inside.momentum(s),
-            None => s.say("With ω = 0 there is no angular momentum: L = 0."),
+            None => s.say("With ω = 0 the angular momentum is zero: L = 0."),
         }
         return;
     }
     let omega = w.start.omega;
     let l = w.rotor.angular_momentum(omega);
     if wheels.is_some() {
-        s.say("The tensor takes ω to the angular momentum of the body, without that of the wheels:");
+        s.say("The tensor maps ω to the angular momentum of the body without the wheels:");
     } else {
-        s.say("The tensor takes ω to the angular momentum:");
+        s.say("The tensor maps ω to the angular momentum:");
     }
     if wheels.is_none() {
         s.formula(

@@ -83,7 +83,7 @@ pub(crate) fn solve(w: &Working<'_>, top: &HeavyTop, s: &mut Section) {
 fn momenta(constants: &Constants, top: &HeavyTop, s: &mut Section) {
     let [_, c] = constants.moments;
     let [p_phi, p_psi] = constants.momenta;
-    s.say("φ and ψ are in neither T nor U, so their momenta stay: the component of L along the vertical and that along e.");
+    s.say("φ and ψ are cyclic (neither T nor U contains them), so their momenta are constant: the components of L along the vertical and along e.");
     s.formula(
         "p_ψ = C (ψ\u{307} + φ\u{307} cos θ) = C ω_e,   p_φ = A φ\u{307} sin²θ + p_ψ cos θ",
         r"p_\psi = C (\dot\psi + \dot\varphi\cos\theta) = C \omega_e, \qquad p_\varphi = A \dot\varphi \sin^2\theta + p_\psi\cos\theta",
@@ -95,13 +95,12 @@ fn momenta(constants: &Constants, top: &HeavyTop, s: &mut Section) {
         r"\dot\varphi = \frac{p_\varphi - p_\psi\cos\theta}{A\sin^2\theta}, \qquad \dot\psi = \omega_e - \dot\varphi\cos\theta",
     );
     s.say(
-        "Two spins are told apart: ω_e = ω · e, which stays and is what the start says, and the own spin ψ\u{307}, the rate of the \
-         body about e as seen from the plane of e and the vertical. That plane turns at φ\u{307} itself, of which φ\u{307} cos θ is along e.",
+        "Two spins are distinguished: ω_e = ω · e, which is constant and given by the start, and the proper spin ψ\u{307}, the rate of the body about e relative to the plane of e and the vertical. That plane rotates at φ\u{307}, and φ\u{307} cos θ is its component along e.",
     );
 }
 
 fn potential(constants: &Constants, top: &HeavyTop, s: &mut Section) {
-    s.say("What is left is one equation for θ, that of a particle in one dimension:");
+    s.say("One equation for θ remains, like that of a particle in one dimension:");
     s.formula(
         "E′ = ½ A θ\u{307}² + U_eff(θ),   U_eff = (p_φ − p_ψ cos θ)² / (2 A sin²θ) + M g l cos θ,   E′ = T + U − p_ψ²/2C",
         r"E' = \tfrac12 A\dot\theta^2 + U_{\text{eff}}(\theta), \qquad U_{\text{eff}} = \frac{(p_\varphi - p_\psi\cos\theta)^2}{2A\sin^2\theta} + M g l\cos\theta, \qquad E' = T + U - \frac{p_\psi^2}{2C}",
@@ -141,17 +140,17 @@ fn potential(constants: &Constants, top: &HeavyTop, s: &mut Section) {
 }
 
 fn cubic(constants: &Constants, top: &HeavyTop, s: &mut Section) {
-    s.say("With u = cos θ it is a cubic, and u(t) an elliptic function:");
+    s.say("With u = cos θ the right-hand side is a cubic, and u(t) is an elliptic function:");
     s.formula(
         "u\u{307}² = θ\u{307}² sin²θ = f(u) = (1 − u²)(2E′ − 2 M g l u)/A − (p_φ − p_ψ u)²/A²",
         r"\dot u^2 = \dot\theta^2 \sin^2\theta = f(u) = \frac{(1 - u^2)(2E' - 2 M g l u)}{A} - \frac{(p_\varphi - p_\psi u)^2}{A^2}",
     );
     let (Some([u1, u2, u3]), Some([m, _])) = (top.roots(), top.parameter()) else {
-        s.say(format!("Here the axis is vertical and stays so: {}.", top.path().description()));
+        s.say(format!("Here the axis remains vertical: {}.", top.path().description()));
         return;
     };
     let a = constants.moments[0];
-    s.say("f has the roots u1 ≤ u2 ≤ 1 ≤ u3, and u goes to and fro between the first two:");
+    s.say("f has the roots u1 ≤ u2 ≤ 1 ≤ u3, and u oscillates between u1 and u2:");
     s.formula(
         "u = u1 + (u2 − u1) sn²(λ t + δ, k),   λ² = M g l (u3 − u1)/2A,   k² = (u2 − u1)/(u3 − u1)",
         r"u = u_1 + (u_2 - u_1) \operatorname{sn}^2(\lambda t + \delta, k), \qquad \lambda^2 = \frac{M g l}{2A} (u_3 - u_1), \qquad k^2 = \frac{u_2 - u_1}{u_3 - u_1}",
@@ -162,20 +161,23 @@ fn cubic(constants: &Constants, top: &HeavyTop, s: &mut Section) {
     let lambda = (0.5 * constants.weight / a * (u3 - u1)).sqrt();
     s.line(format!("λ = {} /s,  k² = {}", n(lambda), n(m)));
     let Some(period) = top.nutation_period() else {
-        s.say("k = 1: the separatrix, on which it takes for ever to rise to the vertical.");
+        s.say("k = 1: the separatrix, on which the top approaches the vertical in infinite time.");
         return;
     };
     let what = if is_steady(top) { "of small nutations about it" } else { "of a nutation" };
     s.line(format!("period {what} 2 K(k) / λ = {} s", n(period)));
     let is_planar = top.path() == TopPath::Planar;
     if let Some(turned) = top.precession_in_a_nutation().filter(|_| !is_planar) {
-        let through =
-            if top.mean_precession().is_none() { ", with the half turn of φ at the vertical" } else { "" };
+        let through = if top.mean_precession().is_none() {
+            ", including the half turn of φ at the vertical"
+        } else {
+            ""
+        };
         s.line(format!("precession in a nutation = {}°{through}", n(turned.to_degrees())));
     }
     if let (Some(precession), Some(spin)) = (top.mean_precession(), top.mean_spin()) {
         s.line(format!("φ\u{307} on average = {}{}", rate(precession), once_in(precession)));
-        s.line(format!("own spin ψ\u{307} on average = {};  ω_e = {}", rate(spin), rate(top.spin())));
+        s.line(format!("proper spin ψ\u{307} on average = {};  ω_e = {}", rate(spin), rate(top.spin())));
     }
 }
 
@@ -206,7 +208,7 @@ fn limits(constants: &Constants, top: &HeavyTop, s: &mut Section) {
     let [highest, lowest] = top.nutation_bounds();
     let middle = 0.5 * (highest + lowest);
     if let Some(steady) = top.steady_precession(middle, top.spin()) {
-        s.say("Without nodding it precesses where θ\u{308} = 0, A φ\u{307}² cos θ − C ω_e φ\u{307} + M g l = 0, at one of two rates; with this ω_e at the middle of the nutation:");
+        s.say("Steady precession, without nutation, requires θ\u{308} = 0, A φ\u{307}² cos θ − C ω_e φ\u{307} + M g l = 0, which has two rates; with this ω_e at the middle of the nutation:");
         let fast = steady.fast.map_or_else(String::new, |fast| format!(",  the fast one {} rad/s", n(fast)));
         s.line(format!("θ = {}°:  the slow one {} rad/s{fast}", n(middle.to_degrees()), n(steady.slow)));
     }

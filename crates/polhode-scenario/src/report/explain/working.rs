@@ -80,12 +80,12 @@ impl<'a> Working<'a> {
         if scenario.history().is_some() {
             let (time, why) = (
                 scenario.start().time,
-                "has no worked solution: the steps are those of a body that stays as it is",
+                "has no worked solution: worked solutions need constant mass properties",
             );
             return Err(MotionError::MassHistory { time, why });
         }
         if matches!(scenario.mechanism(), Mechanism::Gimbals(_)) {
-            let why = "the steps of a worked solution are those of a body that is free or held at a point";
+            let why = "worked solutions cover bodies that are free or held at a point";
             return Err(MotionError::InGimbals { why });
         }
         let rotor = scenario.rotor();

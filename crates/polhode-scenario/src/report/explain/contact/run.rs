@@ -38,7 +38,7 @@ pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
     if let Some(last) = states.last() {
         attitude::attitude(&last.state, g.w.error().attitude, "end", &mut s);
     }
-    s.say("Evidence: what must hold whatever the solution is, relative, at the worst sample of the run:");
+    s.say("Checks of the conserved quantities, relative, at the worst sample of the run:");
     s.line(format!(
         "T + U less the work of friction and of the ground constant to {}",
         error(motion.energy_drift())
@@ -46,7 +46,7 @@ pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
     if let Some(estimate) = g.w.trajectory.as_deref().and_then(Trajectory::error) {
         let end = estimate.end();
         s.line(format!(
-            "estimated error at the end: attitude {} rad, ω {} of itself",
+            "estimated error at the end: attitude {} rad, ω {} (relative)",
             error(end.attitude),
             error(end.omega)
         ));

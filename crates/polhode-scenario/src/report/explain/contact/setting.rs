@@ -19,9 +19,9 @@ pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
     );
     s.line(format!("C = {} m", v(g.w.body().center_of_mass().to_array())));
     if g.w.start.attitude == Attitude::identity() {
-        s.say("At t0 the body axes lie along the space axes: R(t0) = 1.");
+        s.say("At t0 the body axes are parallel to the space axes: R(t0) = 1.");
     } else {
-        s.say("At t0 the body axes stand in space as R(t0), whose columns are x, y, z in space axes: a_space = R\u{a0}a_body.");
+        s.say("At t0 the attitude is R(t0), with the body axes x, y, z in space axes as columns: a_space = R\u{a0}a_body.");
         s.matrix("R(t0)", g.w.start.attitude.matrix(), "");
     }
     let surface = &g.contact.surface;

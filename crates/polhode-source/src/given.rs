@@ -216,7 +216,10 @@ pub fn times(text: &str) -> Result<Times, String> {
                 )
             })?),
             _ => {
-                return Err(format!("{:?} is not a range (hint: from:to:step, such as 0:1:0.1)", part.trim()));
+                return Err(format!(
+                    "{:?} is not a range (hint: from:to:step, such as 0:1:0.1)",
+                    part.trim()
+                ));
             }
         }
     }

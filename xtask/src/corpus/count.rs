@@ -301,7 +301,7 @@ mod tests {
             read("c.urdf", "urdf", json!([finding("inertia.zero", "impossible", 1)])),
             read("test/d.urdf", "urdf", json!([finding("inertia.zero", "impossible", 1)])),
             json!({ "file": "e.urdf", "error": { "message": "polhode does not read xacro: …" } }),
-            json!({ "file": "gone.urdf", "error": { "message": "there is no such file" } }),
+            json!({ "file": "gone.urdf", "error": { "message": "the file does not exist" } }),
             json!({ "file": ".", "error": { "message": ". contains no model" } }),
         ];
         let counts = Counts::of(&tree, &results, &mut Seen::default()).unwrap();

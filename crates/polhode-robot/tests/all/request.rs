@@ -48,7 +48,7 @@ fn folders_in_memory_are_searched() {
     let errors = checked.files.iter().filter_map(|file| Some(file.report.as_ref().err()?.message()));
     assert_eq!(
         errors.collect::<Vec<_>>(),
-        ["empty contains no model", "cannot read \"missing.urdf\": there is no such file"]
+        ["empty contains no model", "cannot read \"missing.urdf\": the file does not exist"]
     );
     require_report(&checked);
 }

@@ -318,8 +318,12 @@ fn malformed_xyz_files_say_where() {
         ("", "f: the file has no atoms", ""),
         ("0\n\n", "f: the file has no atoms with a mass", ""),
         ("C 0 0 0\n", "f:1:1: expected the number of atoms, found \"C\"", "line 1 is the number of atoms"),
-        ("2\n\nC 0 0 0\n", "f:1:1: 2 atoms are declared, and 1 are there", "truncated"),
-        ("99999999999\n\nC 0 0 0\n", "f:1:1: 99999999999 atoms are declared, and 1 are there", "truncated"),
+        ("2\n\nC 0 0 0\n", "f:1:1: 2 atoms are declared, but the file has 1", "truncated"),
+        (
+            "99999999999\n\nC 0 0 0\n",
+            "f:1:1: 99999999999 atoms are declared, but the file has 1",
+            "truncated",
+        ),
         (
             "1\n\nC 0 0 0\nO 0 0 1\nO 0 0 2\n",
             "f:1:1: 1 atoms are declared, but the file has 3",
@@ -388,7 +392,7 @@ fn malformed_tables_and_columns_say_where() {
         (String::new(), "f: the file has no molecule", ""),
         (
             v3000_text(&[("C", [0.0; 3])]).replace("COUNTS 1", "COUNTS 4000000000"),
-            "f:6:15: 4000000000 atoms are declared, and 1 are there",
+            "f:6:15: 4000000000 atoms are declared, but the file has 1",
             "truncated",
         ),
         (v3000_text(&[("C", [0.0; 3])]).replace("CHG=0", "MASS=12.5"), "f:9:30: the isotope = 12.5", "11C"),

@@ -182,9 +182,7 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
     }
     let off = w.at_start.as_ref().map(FreeFacts::degrees_off);
     if let (Some(growth), Some(off)) = (free.growth_rate, off) {
-        s.say(format!(
-            "ω starts {off}° from the intermediate axis, and near it a departure grows as exp(σ t):"
-        ));
+        s.say(format!("ω starts {off}° from the intermediate axis; near it a deviation grows as exp(σ t):"));
         growth_rate(growth, s);
     }
     match driven::how(w) {

@@ -64,7 +64,7 @@ def test_a_fine_mesh_is_coarser_in_an_output(tmp_path: Path) -> None:
     # Base64 of three indices of four bytes.
     shown, given = (len(data["body"]["shapes"][0]["triangles"]) // 16 for data in (page, whole))
     assert 9_000 < shown <= 10_000 < given and page["body"]["shapes"][0]["of"] == 81_920
-    assert "made coarser" in json.dumps(page["facts"]) and len(_display.pack(motion._output_data)) * 4 / 3 < MOST
+    assert "simplified" in json.dumps(page["facts"]) and len(_display.pack(motion._output_data)) * 4 / 3 < MOST
 
 
 def outputs(sources: list[str]) -> list[dict[str, Any]]:

@@ -478,7 +478,7 @@ fn a_page_of_many_triangles_and_samples_has_two_megabytes() {
         let shown = bytes(&shape["triangles"]).len() / 12;
         assert!(shown > 15_000 && shown < triangles, "{shown}");
         let page = data["facts"].as_array().unwrap().last().unwrap().to_string();
-        assert!(page.contains("potato") && page.contains("made coarser"), "{page}");
+        assert!(page.contains("potato") && page.contains("simplified"), "{page}");
         assert_eq!(page.contains("of 30,000, evenly chosen"), samples == 30_000, "{page}");
     }
 }

@@ -68,7 +68,7 @@ fn this_page(shown: &Shown<'_>, notes: &[String]) -> Vec<Fact> {
     let note = if here == all { String::new() } else { format!("of {}, evenly chosen", count(all)) };
     let turn = largest_turn(shown.samples.iter().copied());
     let far = Fact::shown("turn between samples", Quantity::Angle(turn))
-        .note("at most: too far to follow; sample a shorter time to see it")
+        .note("at most: too large to resolve; use a shorter sample interval")
         .shown_if(turn > LARGEST_TURN);
     let samples = Fact::shown("samples", Quantity::Count(here)).note(note);
     let notes = notes.iter().map(|note| Fact::shown("body", note.clone()));

@@ -83,7 +83,7 @@ fn shape(part: &BodyPart, turning: &Turning<'_>, triangles: usize, budget: &mut 
             let (shape, coarser) = of_form(placed, &part.name, turning.point, budget.share(of, triangles))?;
             if let Some(shown) = coarser {
                 let [shown, of] = [shown, of].map(|n| count(n as u64));
-                budget.notes.push(format!("{}: {shown} of {of} triangles, made coarser", part.name));
+                budget.notes.push(format!("{}: {shown} of {of} triangles, simplified", part.name));
             }
             shape
         }

@@ -117,7 +117,7 @@ impl<'a> Chart<'a> {
                 let [dots, one] =
                     if panels.is_empty() { ["", "one sample"] } else { ["dots: samples; ", "one"] };
                 notes.push(format!(
-                    "{dots}the body turns by up to {} rad from {one} to the next, and what oscillates with it may be missed",
+                    "{dots}the body turns by up to {} rad from {one} to the next, so oscillations at this rate may be missed",
                     number(turn, 3)
                 ));
             }

@@ -52,13 +52,13 @@ impl PlotError {
 impl fmt::Display for PlotError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotThere { figure, why } => write!(f, "there is no figure {}: {why}", figure.name()),
+            Self::NotThere { figure, why } => write!(f, "the motion has no figure {}: {why}", figure.name()),
             Self::TooFewSamples { count } => {
                 write!(f, "a plot against time needs 2 samples, and there are {count}")
             }
             Self::TooCoarse { figure, turn } => write!(
                 f,
-                "the figure {} cannot be drawn: the body turns by up to {} rad from a sample to the next",
+                "cannot draw the figure {}: the body rotates by up to {} rad from one sample to the next",
                 figure.name(),
                 polhode_document::number::number(*turn, 3)
             ),

@@ -262,7 +262,7 @@ impl<'a> MotionFigures<'a> {
             (Figure::Polhodes | Figure::Herpolhode, Some(motion)) => match motion.regime() {
                 Regime::AtRest => Some("the body is at rest"),
                 Regime::Permanent(_) if figure == Figure::Herpolhode => {
-                    Some("ω lies along L and stays there: its path on the plane is a point")
+                    Some("ω remains along L: its path on the plane is a point")
                 }
                 _ => None,
             },
@@ -313,7 +313,7 @@ impl Figure {
             Self::Momentum => "Angular momentum along the principal axes",
             Self::Torque if motion.is_prescribed() => "Torque that the motion needs, in body axes",
             Self::Torque => "Torque in body axes",
-            Self::Drift => "Drift: a dot for each sample, a line for the largest so far",
+            Self::Drift => "Drift: dots are samples, the line is the running maximum",
             Self::Polhodes => "Angular momentum in the body",
             Self::Axis => "Path of the axis in space",
             Self::Wheels => "Wheels along their axes",

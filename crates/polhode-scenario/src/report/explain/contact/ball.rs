@@ -16,7 +16,7 @@ use super::OnGround;
 
 pub(crate) fn solve(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     s.say(
-        "A ball with its centre of mass in its middle and three equal moments: r = −a n, and ω × {I} ω = 0. What counts of it is how its moment compares with m a²:",
+        "A ball with its centre of mass at its centre and three equal moments: r = −a n, and ω × {I} ω = 0. Its motion depends on the ratio of its moment to m a²:",
     );
     s.formula("k = I/(m a²),   σ = k/(1 + k)", r"k = \frac{I}{m a^2}, \qquad \sigma = \frac{k}{1 + k}");
     ratio(ball, "I", s);
@@ -49,7 +49,7 @@ pub(crate) fn ratio(ball: &BallOnPlane, moment: &str, s: &mut Section) {
 
 fn frictionless(ball: &BallOnPlane, s: &mut Section) -> String {
     s.say(
-        "Without friction nothing turns it: ω stays in space, and the centre of mass moves as a point does.",
+        "Without friction no torque acts: ω is constant in space, and the centre of mass moves like a point mass.",
     );
     let downhill = ball.downhill();
     s.line(format!("v\u{307} = g_t = {} m/s²", acceleration(downhill)));
@@ -59,19 +59,19 @@ fn frictionless(ball: &BallOnPlane, s: &mut Section) -> String {
 /// Solves the sliding phase, until the slip vanishes.
 fn slides(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     let (friction, slip, velocity) = (g.friction(), g.start.slip, g.start.velocity);
-    s.say("It slips, so F is known, and both v and the slip u = v − a ω × n change by it; ω changes as −a n × F turns it:");
+    s.say("It slips, so F is known. F changes both v and the slip u = v − a ω × n; its torque −a n × F changes ω:");
     s.formula(
         "v\u{307} = g_t + F/m,   a (ω\u{307} × n) = −F/(k m),   u\u{307} = g_t + F/(σ m)",
         r"\dot{\mathbf v} = \mathbf g_t + \frac{\mathbf F}{m}, \qquad a \dot{\boldsymbol\omega} \times \mathbf n = -\frac{\mathbf F}{k m}, \qquad \dot{\mathbf u} = \mathbf g_t + \frac{\mathbf F}{\sigma m}",
     );
     s.say(
-        "Friction takes the slip away faster than the velocity, 1/σ times: it slows what slips, and turns it. With g_n the part of g across the plane and g_t that along it:",
+        "Friction reduces the slip 1/σ times as fast as the velocity, because it changes both v and ω. With g_n the component of g normal to the plane and g_t the component along it:",
     );
     let steep = ball.downhill().norm();
     s.line(format!("g_n = {} m/s²,  g_t = {} m/s²", n(ball.pressing()), acceleration(ball.downhill())));
     s.line(format!("u0 = {} m/s,  |u0| = {} m/s", vector(slip, velocity), n(slip.norm())));
     if g.is_resisted() {
-        s.say("Torques that resist rolling change ω too, in a direction of their own: with them no closed form is known here, and the formulas below are without them.");
+        s.say("Rolling resistance changes ω too, in another direction; no closed form is known with it, so the formulas below neglect it.");
     }
     let end = ball.slip_end(slip, &friction);
     if end != SlipEnd::Unknown {
@@ -81,15 +81,15 @@ fn slides(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
         SlipEnd::At(time) => ends(g, ball, time, s),
         SlipEnd::Never => {
             let text = if steep > 0.0 && friction.kinetic > 0.0 {
-                "The slope is too steep for this friction, κ < |g_t|: the slip grows without end."
+                "The slope is too steep for this friction, κ < |g_t|: the slip grows without limit."
             } else {
-                "The slip becomes ever less and does not end: viscous friction is as small as the slip is."
+                "The slip decays but never ends, because viscous friction is proportional to the slip."
             };
             s.say(text);
             format!("It slides on {}: the slip does not end.", slope(ball))
         }
         SlipEnd::Unknown => {
-            s.say("On a plane that turns, where u\u{307} has −Ω n × v besides, and with viscous friction on a slope, no closed form is known here; it is integrated (step 6).");
+            s.say("On a rotating plane, where u\u{307} has the further term −Ω n × v, and with viscous friction on a slope, no closed form is known; the motion is integrated (step 6).");
             let gripped = gripped(g)
                 .map_or_else(String::new, |time| format!(" In the run it grips at t = {} s.", n(time)));
             format!("It slips at |u| = {} m/s at first.{gripped}", n(slip.norm()))
@@ -110,7 +110,7 @@ fn law(ball: &BallOnPlane, friction: &Friction, steep: f64, s: &mut Section) {
             r"\frac{d|\mathbf u|}{dt} = -\kappa - \lambda |\mathbf u|, \qquad \kappa = \frac{\mu g}{\sigma}, \qquad \lambda = \frac{c}{\sigma m}, \qquad T = \frac{1}{\lambda} \ln\left(1 + \frac{\lambda |\mathbf u_0|}{\kappa}\right)",
         ),
         (_, true) => {
-            s.say("On a slope the slip turns downhill on its way. But κ |u| + g_t · u falls evenly, whatever its direction:");
+            s.say("On a slope the slip turns downhill. But κ |u| + g_t · u decreases linearly, for every direction:");
             s.formula(
                 "u\u{307} = g_t − κ û,   κ = µ g_n/σ,   d(κ |u| + g_t · u)/dt = −(κ² − g_t²),   T = (κ |u0| + g_t · u0)/(κ² − g_t²)",
                 r"\dot{\mathbf u} = \mathbf g_t - \kappa \hat{\mathbf u}, \qquad \kappa = \frac{\mu g_n}{\sigma}, \qquad \frac{d}{dt}\left(\kappa |\mathbf u| + \mathbf g_t \cdot \mathbf u\right) = -(\kappa^2 - g_t^2), \qquad T = \frac{\kappa |\mathbf u_0| + \mathbf g_t \cdot \mathbf u_0}{\kappa^2 - g_t^2}",
@@ -142,13 +142,13 @@ fn ends(g: &OnGround<'_, '_>, ball: &BallOnPlane, time: f64, s: &mut Section) ->
     let rolling = ball.rolls_off(velocity, slip, time);
     s.line(format!("T = {} s", n(time)));
     if steep == 0.0 && friction.viscous == 0.0 && cross(velocity, slip) {
-        s.say("F is constant, so until then the path is a parabola, as of a stone that is thrown; its axis is along −u0. The velocity changes by σ u0 in all, whatever friction is:");
+        s.say("F is constant, so until then the path is a parabola with its axis along −u0. The total change of velocity is σ u0, independent of the friction coefficient:");
     } else if steep == 0.0 {
         s.say(
-            "The velocity changes by σ u0 in all, whatever friction is: more friction only makes it sooner.",
+            "The total change of velocity is σ u0, independent of the friction: more friction only shortens the slip.",
         );
     } else {
-        s.say("As v\u{307} − σ u\u{307} = (1 − σ) g_t has no friction in it, the velocity at that time does not depend on the way:");
+        s.say("As v\u{307} − σ u\u{307} = (1 − σ) g_t does not contain the friction, the velocity at that time does not depend on the path:");
     }
     s.formula(
         "v(T) = v0 − σ u0 + (1 − σ) g_t T",
@@ -170,29 +170,29 @@ fn ends(g: &OnGround<'_, '_>, ball: &BallOnPlane, time: f64, s: &mut Section) ->
     if rolling.norm() > 0.0 && velocity.norm() > 0.0 && steep == 0.0 {
         let part = rolling.norm() / velocity.norm();
         let known = if (part - 5.0 / 7.0).abs() < 1e-9 {
-            ": 5/7, as of each homogeneous ball that is thrown without spin"
+            ": 5/7, as for every homogeneous ball that starts without spin"
         } else {
             ""
         };
         s.line(format!("       = {} |v0|{known}", n(part)));
         if rolling.dot(velocity) < -1e-12 * rolling.norm() * velocity.norm() {
-            s.say("It comes back: it was spun so much that what is left of the velocity is against it, as a billiard ball drawn back has it.");
+            s.say("It comes back: the backspin is so large that the final velocity is opposite to the initial one (a draw shot in billiards).");
         }
     }
     if steep == 0.0 {
         let moved = ball.displacement(velocity, slip, &friction, time);
-        s.line(format!("it has come {} m, {} m from where it began", v(moved.to_array()), n(moved.norm())));
+        s.line(format!("its displacement is {} m, {} m", v(moved.to_array()), n(moved.norm())));
     }
     let lost = 0.5 * ball.mass * share * slip.dot(slip);
     if steep == 0.0 {
-        s.line(format!("friction has taken ½ σ m u0² = {} J", n(lost)));
+        s.line(format!("friction has dissipated ½ σ m u0² = {} J", n(lost)));
     }
     if let Some(run) = gripped(g) {
         s.line(format!("the run finds T = {} s", n(run - g.start.state.time)));
     }
     if ball.friction_to_roll() > friction.sticking {
         s.say(
-            "There it is at rest for a moment, but friction is too small to hold it: it slips on, downhill.",
+            "There it is at rest for a moment, but friction is too small to hold it: it continues to slip, downhill.",
         );
         return format!("It slides uphill for {} s, and then down: friction does not hold it.", n(time));
     }
@@ -230,7 +230,7 @@ pub(crate) fn rolls(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -
 fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     let resistance = g.contact.law.resistance();
     let gained = ball.rolling_acceleration();
-    s.say("Rolling, u = 0 stays, so F = −σ m g_t, and 1 − σ of g_t is left:");
+    s.say("While it rolls, u = 0, so F = −σ m g_t and the acceleration is (1 − σ) g_t:");
     s.formula(
         "v\u{307} = (1 − σ) g_t,   F = −σ m g_t",
         r"\dot{\mathbf v} = (1 - \sigma) \mathbf g_t, \qquad \mathbf F = -\sigma m \mathbf g_t",
@@ -238,12 +238,12 @@ fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> Stri
     if resistance.rolling > 0.0 {
         // Deceleration µᵣ g_n/(a (1 + k)).
         let slowed = resistance.rolling * ball.pressing() / ball.radius * (1.0 - ball.share());
-        s.say("Rolling friction, of the torque µr N against the rolling, takes (1 − σ) µr g_n/a from that, along v:");
+        s.say("Rolling friction, a torque µr N that opposes the rolling, reduces it by (1 − σ) µr g_n/a, along v:");
         s.line(format!("(1 − σ) µr g_n/a = {} m/s²", n(slowed)));
         if gained.norm() == 0.0 && g.is_rolling() {
             let speed = g.start.velocity.norm();
             s.line(format!(
-                "it stops after v/that = {} s, and {} m",
+                "it stops after v divided by this = {} s, and {} m",
                 n(speed / slowed),
                 n(0.5 * speed * speed / slowed)
             ));
@@ -262,7 +262,7 @@ fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> Stri
         n(gained.norm())
     ));
     let needed = ball.friction_to_roll();
-    s.say("That takes friction of σ tan α of the normal force:");
+    s.say("This requires a friction force of σ tan α times the normal force:");
     let have = g.friction().sticking;
     let verdict = if !matches!(g.contact.law.grip(), Grip::Friction(_)) {
         String::new()
@@ -272,16 +272,16 @@ fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> Stri
         format!(", and µs = {} is less: it slips", n(have))
     };
     s.line(format!("|F|/N = σ tan α = {}{verdict}", n(needed)));
-    format!("down the slope it gains {} m/s each second", n(gained.norm()))
+    format!("down the slope its speed grows by {} m/s per second", n(gained.norm()))
 }
 
 fn turntable(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
-    s.say("The table turns at Ω about n, and the ball's point of contact has its velocity, v = Ω n × x + a ω × n. The derivative of that, with both equations, leaves v alone:");
+    s.say("The table rotates at Ω about n, and the ball's point of contact moves with it: v = Ω n × x + a ω × n. Its derivative, with both equations, gives an equation for v alone:");
     s.formula(
         "v\u{307} = σ Ω n × v + (1 − σ) g_t",
         r"\dot{\mathbf v} = \sigma \Omega \mathbf n \times \mathbf v + (1 - \sigma) \mathbf g_t",
     );
-    s.say("v turns at σ Ω, whatever it is, and wherever the ball is: it runs on a circle, which need not be about the middle of the table. Nothing holds it, and it does not fly outward.");
+    s.say("v rotates at σ Ω, for every velocity and position: the ball moves on a circle, whose centre need not be that of the table. The ball does not drift outward.");
     s.line(format!("Ω = {} rad/s{}", n(ball.turning), once_in(ball.turning)));
     s.line(format!(
         "σ Ω = {}·{} = {} rad/s{}",
@@ -295,19 +295,19 @@ fn turntable(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> Strin
     let center = ball.circle_center(place, velocity);
     let radius = (velocity - drift).norm() / ball.circle_rate().abs();
     if drift.norm() > 0.0 {
-        s.say("On a slope the circle drifts across it, along the level, at a velocity with which v\u{307} is zero:");
+        s.say("On a slope the circle drifts horizontally, at the velocity for which v\u{307} is zero:");
         s.line(format!("drift = n × g_t (1 − σ)/(σ Ω) = {} m/s", vector(drift, velocity)));
     }
     s.line(format!("v0 = {} m/s at x0 = {} m", vector(velocity, velocity), point(place)));
     s.line(format!("middle x0 + n × (v0 − drift)/(σ Ω) = {} m", point(center)));
     s.line(format!("radius |v0 − drift|/|σ Ω| = {} m", n(radius)));
     if g.is_resisted() {
-        s.say("Torques that resist rolling or pivoting change ω besides, and the circle with it.");
+        s.say("Rolling and pivoting resistance also change ω, and with it the circle.");
     }
     let moves =
         if drift.norm() > 0.0 { format!(", which drifts at {} m/s", n(drift.norm())) } else { String::new() };
     format!(
-        "It runs on a circle of the radius {} m in {} s{moves}.",
+        "It moves on a circle of radius {} m in {} s{moves}.",
         n(radius),
         n(std::f64::consts::TAU / ball.circle_rate().abs())
     )

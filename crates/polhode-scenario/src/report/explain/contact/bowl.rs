@@ -26,14 +26,14 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     }
     let top = ball.top(&g.start).ok()?;
     s.say(
-        "A ball that rolls on a sphere is a heavy top. With e from the middle of the sphere to that of the ball, at the distance l, rolling says v = l e\u{307}; the torque −a n × F on the ball and F = m (v\u{307} − g) make \
+        "A ball that rolls on a sphere moves like a heavy top. With e from the centre of the sphere to the centre of the ball, at the distance l, rolling requires v = l e\u{307}; the torque −a n × F on the ball and F = m (v\u{307} − g) make \
          ω · n constant, as n\u{307} is across ω, and leave",
     );
     s.formula(
         "(1 + k) m l² e × e\u{308} + k m l a (ω · n) e\u{307} = l e × m g,   k = I/(m a²)",
         r"(1 + k) m l^2 \mathbf e \times \ddot{\mathbf e} + k m l a (\boldsymbol\omega \cdot \mathbf n) \dot{\mathbf e} = l \mathbf e \times m \mathbf g, \qquad k = \frac{I}{m a^2}",
     );
-    s.say("That is the equation of a symmetric top held in the middle of the sphere, with A and C ω3 in the places of these factors, and of a spherical pendulum if ω · n = 0:");
+    s.say("This is the equation of a symmetric top with its pivot at the centre of the sphere, with these factors in place of A and C ω3; for ω · n = 0 it is a spherical pendulum:");
     s.line(format!("l = {} m,  k = {}", n(ball.distance), n(ball.ratio())));
     let [a, _] = top.moments();
     let normal = g.up.dot(g.start.state.omega);
@@ -46,7 +46,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     let inside = ball.side == GroundSide::Inside;
     if inside {
         let small = ball.small_frequency();
-        s.say("Small swings without spin about n are slower than those of a pendulum of the length l, as k/(1 + k) of the energy is in the ball's own turning:");
+        s.say("Small swings without spin about n are slower than those of a pendulum of length l, because k/(1 + k) of the energy is in the rotation of the ball:");
         s.formula("ω0² = g/((1 + k) l)", r"\omega_0^2 = \frac{g}{(1 + k) l}");
         s.line(format!("ω0 = {} rad/s, a swing in {} s", n(small), n(TAU / small)));
     }
@@ -56,17 +56,17 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
 /// Writes the path of the ball, from the cubic of the equivalent top.
 fn goes(ball: &BallInBowl, top: &HeavyTop, s: &mut Section) -> String {
     if ball.side == GroundSide::Outside {
-        s.say("So it rolls down, or stays near the top as a sleeping top does if it spins fast. It leaves the sphere where N = 0, unless it slips before: the centre of mass needs m v²/l towards the middle, and gravity has no more than that:");
+        s.say("So it rolls down, or stays near the top like a sleeping top if it spins fast. It leaves the sphere where N = 0, unless it slips before: the centre of mass needs the centripetal force m v²/l, which gravity alone supplies:");
         s.formula("N = −m g · n − m v²/l", r"N = -m \mathbf g \cdot \mathbf n - \frac{m v^2}{l}");
-        return "It rolls as the axis of a heavy top moves, as long as N > 0 and friction holds it."
+        return "It moves like the axis of a heavy top as long as N > 0 and friction prevents slip."
             .to_owned();
     }
     // A top's θ is measured from the upward vertical, the ball's angle from the lowest point.
     let from_below = top.nutation_bounds().map(|angle| std::f64::consts::PI - angle);
     let [high, low] = from_below.map(|angle| n(angle.to_degrees()));
-    s.say("Its axis nods between two turning points (the cubic of Lagrange's top), and goes round meanwhile; the angles are seen from the middle of the bowl, from the lowest point:");
+    s.say("Its axis nutates between two turning points (the cubic of Lagrange's top) while it precesses; the angles are at the centre of the bowl, from the lowest point:");
     s.line(format!(
-        "{low} … {high}°: between {} and {} m beside the lowest point",
+        "{low} … {high}°: between {} and {} m from the lowest point",
         n(ball.distance * from_below[1].sin().abs()),
         n(ball.distance * from_below[0].sin().abs())
     ));
@@ -78,7 +78,7 @@ fn goes(ball: &BallInBowl, top: &HeavyTop, s: &mut Section) -> String {
             .replace(", ", " and ")
     ));
     let Some(period) = top.nutation_period() else {
-        return "It runs as the axis of a heavy top does.".to_owned();
+        return "It moves like the axis of a heavy top.".to_owned();
     };
     s.line(format!("period 2 K(k)/λ = {} s", n(period)));
     if top.path() != TopPath::Planar
@@ -86,5 +86,5 @@ fn goes(ball: &BallInBowl, top: &HeavyTop, s: &mut Section) -> String {
     {
         s.line(format!("goes round by {}° in that time{}", n(turned.to_degrees()), once_in(turned / period)));
     }
-    format!("It runs as the axis of a heavy top does: in and out once in {} s.", n(period))
+    format!("It moves like the axis of a heavy top, in and out once in {} s.", n(period))
 }

@@ -19,7 +19,7 @@ struct Constant {
 pub(crate) fn list(g: &OnGround<'_, '_>, s: &mut Section) {
     let all = constants(g);
     if all.is_empty() {
-        s.say("Nothing stays constant: friction takes energy, and its torque changes L. What holds is a balance: T + U less the work of friction and of the ground.");
+        s.say("No quantity is constant: friction dissipates energy, and its torque changes L. The balance of energy holds: T + U minus the work of friction and of the ground.");
         return;
     }
     let until = if g.is_rolling() && !matches!(g.contact.law.grip(), Grip::NoSlip) {
@@ -96,7 +96,9 @@ fn of_spheres(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
         let arm = Direction::<Body>::from_array(g.arm.to_array());
         let value = format!("{} kg·m³/s", n(-arm.dot(g.w.rotor.angular_momentum(g.start.state.omega))));
         all.push(Constant {
-            formula: "J = −L · r", value, why: "Jellett's, whatever friction is: step 5"
+            formula: "J = −L · r",
+            value,
+            why: "Jellett's constant, for every friction: step 5",
         });
         if g.is_rolling() {
             let routh = top.routh(e.dot(g.start.state.omega), e.dot(g.up));

@@ -16,11 +16,11 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     let across = Direction::<Body>::from_array(offset.to_array());
     let is_centred = (across - e * e.dot(across)).norm() <= 1e-9 * g.arm.norm();
     s.say(
-        "A cylinder that lies touches along a line, which keeps its axis e level and in its direction: it turns about e alone, and of the equations only that along e and the two of the centre of mass along the ground are left. N stands for the forces \
+        "A lying cylinder touches the ground along a line, so its axis e stays level and fixed: it rotates about e only. The remaining equations are that along e and the two of the centre of mass along the ground. N stands for the forces \
          along the line, in P as far as their torque about e goes; how they are spread decides that e stays, and the cylinder tips over where they would have to be beyond its ends.",
     );
     if !is_centred {
-        s.say("Its centre of mass is beside its axis, so that it rocks as a pendulum: no closed form is used here, and it is integrated (step 6).");
+        s.say("Its centre of mass is off its axis, so it rocks like a pendulum: no closed form is used, and the motion is integrated (step 6).");
         return None;
     }
     if g.contact.ground.turning() != 0.0 {
@@ -44,7 +44,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     if g.is_rolling() {
         if along.abs() > 1e-9 * g.contact.gravity.norm() {
             let pushed = roller.mass * along;
-            s.say("The slope goes along the axis too. There it cannot roll, and friction holds it with the whole of that part of its weight:");
+            s.say("The slope has a component along the axis. In that direction it cannot roll, and friction balances the whole component of the weight:");
             s.line(format!("m g · e = {} N", n(pushed)));
         }
         return Some(ball::rolls(g, &roller, s));
@@ -64,12 +64,12 @@ fn pipe(g: &OnGround<'_, '_>, roller: &BallOnPlane, radius: f64, s: &mut Section
     let axis = g.contact.ground.axis();
     let across = (super::direction(gravity.to_array()) - axis * axis.dot(gravity)).norm();
     let small = (across * (1.0 - roller.share()) / length).sqrt();
-    s.say("In the pipe its centre of mass is on a circle of the radius l = R − a, at θ from the lowest line. v = l θ\u{307} = a ω, and the energy is that of a pendulum with 1 + k times its inertia:");
+    s.say("In the pipe its centre of mass is on a circle of radius l = R − a, at θ from the lowest line. v = l θ\u{307} = a ω, and the energy is that of a pendulum with 1 + k times its inertia:");
     s.formula(
         "(1 + k) l θ\u{308} = −g sin θ,   ω0² = g/((1 + k) l) = (1 − σ) g/l",
         r"(1 + k) l \ddot\theta = -g \sin\theta, \qquad \omega_0^2 = \frac{g}{(1 + k) l} = \frac{(1 - \sigma) g}{l}",
     );
     s.line(format!("l = {} m,  g = {} m/s² across the axis", n(length), n(across)));
     s.line(format!("ω0 = {} rad/s, a small swing in {} s", n(small), n(std::f64::consts::TAU / small)));
-    format!("It swings in the pipe at ω0 = {} rad/s, where the swings are small.", n(small))
+    format!("It swings in the pipe at ω0 = {} rad/s for small swings.", n(small))
 }

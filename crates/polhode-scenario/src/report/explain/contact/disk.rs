@@ -94,7 +94,7 @@ fn is_steady(disk: &CirclingDisk, at: &Motion) -> bool {
 
 /// Writes the steady circular motions with this tilt and this spin rate.
 fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Section) -> Option<String> {
-    s.say("Where θ stays, the picture turns about the vertical as a whole, so that L\u{307} = Ω n × L and v\u{307} = Ω n × v. Of L\u{307} = r × m (v\u{307} − g) the component along q is all that is left:");
+    s.say("For constant θ the whole configuration rotates about the vertical, so L\u{307} = Ω n × L and v\u{307} = Ω n × v. Of L\u{307} = r × m (v\u{307} − g) only the component along q remains:");
     s.formula(
         "Ω² sin θ (A cos θ − m r_e H) − Ω s (C sin θ + m r_p H) = m g D",
         r"\Omega^2 \sin\theta (A \cos\theta - m r_e H) - \Omega s (C \sin\theta + m r_p H) = m g D",
@@ -122,13 +122,13 @@ fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Secti
     ));
     let upright = (at.tilt - FRAC_PI_2).abs() < 1e-9;
     if upright && disk.offset == 0.0 {
-        s.say("Upright D = 0: it rolls straight, Ω = 0, or spins on the spot, s = 0.");
+        s.say("Upright, D = 0: it rolls straight (Ω = 0) or spins in place (s = 0).");
         return Some(format!("It rolls upright at {} m/s.", n(disk.velocity(at.tilt, at.spin, 0.0).abs())))
             .filter(|_| at.precession == 0.0);
     }
     let rates = disk.rates(at.tilt, at.spin);
     if rates.is_empty() {
-        s.say("It has no root: for this tilt it rolls too slowly to run in a circle, and falls, or rises, from the start.");
+        s.say("There is no root: at this tilt it rolls too slowly for a circle, and the tilt changes from the start.");
         return None;
     }
     let names = if rates.len() == 2 { ["the slower", "the faster"] } else { ["the one", ""] };
@@ -160,7 +160,7 @@ fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Secti
     }
     let radius = disk.circle_radius(at.tilt, at.spin, at.precession).abs();
     Some(format!(
-        "It runs in a circle of the radius {} m at Ω = {} rad/s, tilted {}°.",
+        "It rolls in a circle of radius {} m at Ω = {} rad/s, tilted {}°.",
         n(radius),
         n(at.precession),
         n(at.tilt.to_degrees())
@@ -170,13 +170,11 @@ fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Secti
 /// Writes the eigenvalues of the linearized motion about a steady motion.
 pub(crate) fn departures(g: &OnGround<'_, '_>, steady: &SteadyOnGround, s: &mut Section) {
     let without = if g.is_resisted() { ", without what resists it," } else { "" };
-    s.say(format!(
-        "A small departure from it{without} obeys linear equations, whose eigenvalues σ ± iϖ are:"
-    ));
+    s.say(format!("A small deviation from it{without} obeys linear equations with the eigenvalues σ ± iϖ:"));
     let rows: Vec<Vec<f64>> =
         steady.modes.iter().map(|mode| vec![mode.frequency, mode.growth_rate]).collect();
     if rows.is_empty() {
-        s.line("none but zero: every departure is another steady motion");
+        s.line("only zero: every deviation is another steady motion");
         return;
     }
     let rows = cells(&rows).into_iter().zip(&steady.modes).map(|(row, mode)| {
@@ -195,12 +193,12 @@ pub(crate) fn departures(g: &OnGround<'_, '_>, steady: &SteadyOnGround, s: &mut 
 /// Writes the rolling and spinning rates above which an upright wheel is stable.
 fn upright(disk: &CirclingDisk, tilt: f64, footing: Footing, s: &mut Section) {
     let Some(wheel) = disk.upright(footing) else {
-        s.say("Upright, with θ = 90°, it would stand on both of its rims, or its centre of mass is beside the plane of the rim: what holds a thin wheel upright is not known of it here.");
+        s.say("Upright, with θ = 90°, it would stand on both rims, or its centre of mass is outside the plane of the rim: the stability criterion of a thin wheel does not apply.");
         return;
     };
     let (Some(rolling), Some(spinning)) = (wheel.rolling(), wheel.spinning()) else { return };
     s.say(
-        "Upright it falls unless it is fast. With the lean φ = 90° − θ and the heading ψ small, a wheel that rolls straight at s turns into the side that it leans to, and so comes under its centre of mass; one that spins on the spot is a top:",
+        "Upright it falls unless it is fast enough. With the lean φ = 90° − θ and the heading ψ small, a wheel that rolls straight at s steers into the lean and so moves under its centre of mass; one that spins in place is a top:",
     );
     if footing == Footing::Rolling {
         s.formula(
@@ -243,7 +241,7 @@ fn euler(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Section
     let moves = disk.velocity(at.tilt, at.spin, at.precession).abs()
         / (at.precession.abs() * disk.radius).max(1e-300);
     s.say(
-        "Euler's disk is the circle of which the middle is P's own: the centre of mass stays where it is, V = 0, and P runs round below. What is left of ω is then along r, and of the equation",
+        "Euler's disk is the steady motion with the centre of mass at rest, V = 0, while P moves in a circle below it. Then ω is along r, and the equation becomes",
     );
     s.formula(
         "thin: s = 0,  Ω² sin θ = m g R/A,  T + U = 3/2 m g R sin θ",
@@ -310,14 +308,13 @@ fn settles(g: &OnGround<'_, '_>, disk: &CirclingDisk, lever: f64, here: f64, s: 
         Some(time) => {
             s.line(format!("in the run it lies flat after {} s", n(time - g.start.state.time)));
             format!(
-                "It whirls ever flatter and ever faster, and lies flat after {} s.",
+                "It becomes flatter and whirls faster, and lies flat after {} s.",
                 n(time - g.start.state.time)
             )
         }
-        None => format!(
-            "It comes down ever faster; a thin disk that whirls at this tilt lies flat after {} s.",
-            n(settles)
-        ),
+        None => {
+            format!("It whirls faster and faster; a thin disk at this tilt lies flat after {} s.", n(settles))
+        }
     }
 }
 

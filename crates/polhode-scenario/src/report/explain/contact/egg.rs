@@ -66,14 +66,12 @@ fn sliding(
         s.line(format!("on its end it would spin at J/(C c) = {} rad/s", n(egg.spin_on_end(jellett))));
     }
     if g.is_frictionless() {
-        s.say("Here there is no friction, and so it does not rise: T + U, L · n and ω · e stay, and θ nods.");
-        return Some("Without friction it does not rise: it nods.".to_owned());
+        s.say("Without friction it does not rise: T + U, L · n and ω · e are constant, and θ oscillates.");
+        return Some("Without friction it does not rise: it nutates.".to_owned());
     }
     if g.is_rolling() {
-        s.say(
-            "Here it rolls, and as long as it does friction takes nothing: it does not rise for that reason.",
-        );
-        return Some("It rolls, and as long as it does friction takes nothing.".to_owned());
+        s.say("It rolls without slip, so friction dissipates nothing and it does not rise.");
+        return Some("It rolls without slip, so friction dissipates nothing.".to_owned());
     }
     let oblate = egg.half_length < egg.radius;
     let up = if oblate { "its rim" } else { "its end" };

@@ -52,7 +52,7 @@ pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
             r"m \dot{\mathbf v} = m \mathbf g + N \mathbf n + \mathbf F, \qquad \lbrace \mathbf I \rbrace \dot{\boldsymbol\omega} + \boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega = \mathbf r \times (N \mathbf n + \mathbf F)",
         );
     }
-    s.say("N and F are unknown. What is missing is the constraint, differentiated once.");
+    s.say("N and F are unknown. The missing equation is the constraint, differentiated once.");
     if g.is_rolling() {
         rolling(g, &mut s);
     } else {

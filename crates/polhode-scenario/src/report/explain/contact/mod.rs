@@ -95,8 +95,7 @@ fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
 /// Writes general statements for a motion without a known formula.
 fn unsolved(g: &OnGround<'_, '_>, s: &mut Section) {
     s.say(
-        "No closed form is known here for such a body on such a ground: the equations of step 4 are integrated (step 6). What can be said without that are the constants of \
-         step 4, and that the force at the contact is whatever the constraint takes.",
+        "No closed form is known for this body on this ground: the equations of step 4 are integrated (step 6). Without integration, only the constants of step 4 are known.",
     );
     if matches!(g.ground.contact.ground.shape(), GroundShape::Plane) && g.is_rolling() && g.axis().is_some() {
         s.say(

@@ -19,7 +19,7 @@ pub(crate) fn solve(
     let rate_of = steady.spin;
     s.say(
         "The body rests and spins on a point below its centre of mass, at the height h. It is a rattleback, as the principal axes of its tensor are turned against the axes of its underside. Along two axes of the body across n let S be the moments and R the \
-         radii of curvature there, as matrices: one of them has an element beside its diagonal, whatever axes are taken.",
+         radii of curvature there, as matrices: for every choice of axes, one of them has an off-diagonal element.",
     );
     vertex::numbers(spin, s);
     s.line(format!("turned against each other by {}", angle(spin.skew())));
@@ -33,7 +33,7 @@ pub(crate) fn solve(
         n(steady.turned_from_start.to_degrees())
     ));
     disk::departures(g, steady, s);
-    s.say("How far the spin is braked, when it stops and with what it comes back is beyond linear equations: there is no closed form, and the run has it (step 6).");
+    s.say("The linear equations do not give the loss of spin, the time of reversal and the spin afterwards: there is no closed form, and the motion is integrated (step 6).");
     answer
 }
 
@@ -75,7 +75,7 @@ fn growth(rattle: &Rattleback, spin: f64, s: &mut Section) {
 
 fn reason(s: &mut Section) {
     s.say(
-        "Why: rolling on a skew underside, P runs beside the line to which the body tilts, so that N and F have a torque about the vertical that goes with the swing, and, on the average, one way. Energy stays, and so what a swing gains the spin loses: spun against its sense it stops, and as the swing is still there, it comes back the other way.",
+        "Reason: on a skew underside, P moves off the line of the tilt, so that N and F have a torque about the vertical that goes with the swing, and, on the average, one way. Energy stays, and so what a swing gains the spin loses: spun against its sense it stops, and as the swing is still there, it comes back the other way.",
     );
 }
 
@@ -96,7 +96,7 @@ fn threshold(rattle: &Rattleback, spin: f64, s: &mut Section) -> String {
     });
     match rattle.threshold {
         Some(threshold) => s.line(format!("|Ω| > {}", rate(threshold))),
-        None => s.line("here no spin satisfies it: in its own sense too it rattles, though more slowly"),
+        None => s.line("here no spin satisfies it: it also rattles in its own sense, but more slowly"),
     }
     if spin * rattle.stable_sense < 0.0 {
         return format!("It is spun {other}, against its sense, and will turn back{fast}.");

@@ -21,7 +21,7 @@ const ROWS: usize = 9;
 pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(6, "What the run shows");
     let Some(motion) = g.motion().filter(|motion| !motion.samples().is_empty()) else {
-        s.say("Without a [run] the motion is followed no further.");
+        s.say("Without [run] the motion is not computed any further.");
         attitude::attitude(&g.start.state, 0.0, "t0", &mut s);
         return s;
     };
@@ -40,7 +40,7 @@ pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
     }
     s.say("Checks of the conserved quantities, relative, at the worst sample of the run:");
     s.line(format!(
-        "T + U less the work of friction and of the ground constant to {}",
+        "T + U minus the work of friction and of the ground constant to {}",
         error(motion.energy_drift())
     ));
     if let Some(estimate) = g.w.trajectory.as_deref().and_then(Trajectory::error) {
@@ -78,7 +78,7 @@ fn table(g: &OnGround<'_, '_>, samples: &[ContactState], s: &mut Section) {
         (0..ROWS).map(|k| samples[k * (samples.len() - 1) / (ROWS - 1)]).collect()
     };
     s.say(format!(
-        "{} samples, evenly spread over the run; the motion between them is not shown:",
+        "{} samples, evenly spaced over the run; the motion between them is not shown:",
         few.len()
     ));
     let axis = g.axis().filter(|_| !super::bowl::is_even_ball(g));

@@ -81,12 +81,12 @@ pub(crate) fn forces(g: &OnGround<'_, '_>) -> Section {
     s.line(format!("|ω| = {}", rate(omega.norm())));
     constraint(g, &mut s);
     velocities(g, &mut s);
-    s.say("The forces on the body, in space axes: its weight in C, and in P the normal force N n and friction F. N and F are not given: they are what the constraint takes (step 4).");
+    s.say("The forces on the body, in space axes: its weight in C, and in P the normal force N n and friction F. N and F are unknown constraint forces (step 4).");
     let weight = g.contact.gravity * g.w.body().mass();
     let size = weight.norm().max(start.normal_force);
     s.line(format!("m g = {} N", v(weight.to_array())));
     s.line(format!(
-        "N   = {} N,  beside −m g · n = {} N",
+        "N   = {} N,  compared with −m g · n = {} N",
         n(start.normal_force),
         n(-start.normal.dot(weight))
     ));
@@ -103,7 +103,7 @@ fn constraint(g: &OnGround<'_, '_>, s: &mut Section) {
             s.formula("v + ω × r = w", r"\mathbf v + \boldsymbol\omega \times \mathbf r = \mathbf w");
         }
         _ if g.is_frictionless() => {
-            s.say("P stays on the ground, and may slip along it in any direction, as there is no friction:");
+            s.say("P stays on the ground and may slip in any direction, because the ground is frictionless:");
             s.formula(
                 "(v + ω × r − w) · n = 0,   F = 0",
                 r"(\mathbf v + \boldsymbol\omega \times \mathbf r - \mathbf w) \cdot \mathbf n = 0, \qquad \mathbf F = 0",

@@ -17,7 +17,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, top: &TippeTop, e: Direction<Body>, s:
     let l = g.w.rotor.angular_momentum(g.start.state.omega);
     let jellett = -Direction::<Body>::from_array(g.arm.to_array()).dot(l);
     s.say(
-        "A symmetric ball whose centre of mass is beside its middle: a tippe top. Its axis e leads from the centre of mass to the middle of the sphere, α R away, at θ from n; θ = 0 is with the centre of mass lowest.",
+        "A symmetric ball with its centre of mass off its centre: a tippe top. Its axis e points from the centre of mass to the centre of the sphere, at the distance α R, at θ from n; θ = 0 is with the centre of mass lowest.",
     );
     let name = along_body_axis(e).map_or_else(String::new, |name| format!(" = {name}"));
     s.line(format!("e = {}{name},  A = {},  C = {} kg·m²", v(e.to_array()), n(top.across), n(top.along)));
@@ -36,13 +36,13 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, top: &TippeTop, e: Direction<Body>, s:
 }
 
 fn constant(g: &OnGround<'_, '_>, jellett: f64, s: &mut Section) {
-    s.say("Whatever friction does, one quantity stays (Jellett 1872). As r = −R (n − α e), with e\u{307} = ω × e, and L, ω and e in one plane,");
+    s.say("One quantity is constant for every friction (Jellett 1872). As r = −R (n − α e), with e\u{307} = ω × e, and L, ω and e in one plane,");
     s.formula(
         "J = −L · r,   dJ/dt = −[r × (N n + F)] · r − α R L · (ω × e) = 0",
         r"J = -\mathbf L \cdot \mathbf r, \qquad \frac{dJ}{dt} = -\left[\mathbf r \times (N \mathbf n + \mathbf F)\right] \cdot \mathbf r - \alpha R \mathbf L \cdot (\boldsymbol\omega \times \mathbf e) = 0",
     );
     if g.is_resisted() {
-        s.say("But torques that resist rolling or pivoting do change it: here it stays only nearly.");
+        s.say("But rolling and pivoting resistance change it: here it is only nearly constant.");
     }
     s.line(format!("J = {} kg·m³/s", n(jellett)));
     if let Some(last) = g.last() {
@@ -56,7 +56,7 @@ fn constant(g: &OnGround<'_, '_>, jellett: f64, s: &mut Section) {
 /// Writes the torque of friction, and the change of L that it causes.
 fn reason(g: &OnGround<'_, '_>, e: Direction<Body>, s: &mut Section) {
     s.say(
-        "Why it rises. Spun about the vertical at Ω with its axis off by θ, P slips at u ≈ Ω n × r, as it is beside the axis of the spin; friction is against that, level and across the plane of n and e, and its torque about the centre of mass lies in that plane:",
+        "Why it rises. Spun about the vertical at Ω with its axis off by θ, P slips at u ≈ Ω n × r, because it is off the axis of the spin. Friction opposes the slip: it is horizontal and perpendicular to the plane of n and e, and its torque about the centre of mass lies in that plane:",
     );
     s.formula(
         "F = −µ N û,   û = n × e / sin θ;   (r × F) · n = −µ N α R sin θ,   (r × F) · e = −µ N R sin θ",
@@ -76,14 +76,14 @@ fn reason(g: &OnGround<'_, '_>, e: Direction<Body>, s: &mut Section) {
         s.line(format!("(r × F) · n = {} N·m,  (r × F) · e = {} N·m", n(torque.dot(g.up)), n(torque.dot(e))));
         s.line(format!("it takes the energy at F · u = {} W", n(g.start.friction.dot(g.start.slip))));
     } else if g.is_frictionless() {
-        s.say("Here there is no friction, and so it does not rise: T + U, L · n and ω · e stay, and θ nods.");
+        s.say("Without friction it does not rise: T + U, L · n and ω · e are constant, and θ oscillates.");
     } else {
-        s.say("At t0 it does not slip: friction holds it, takes nothing, and does not raise it unless it slips.");
+        s.say("At t0 it does not slip: friction dissipates nothing and does not raise it unless it slips.");
     }
 }
 
 fn energy(g: &OnGround<'_, '_>, top: &TippeTop, jellett: f64, s: &mut Section) {
-    s.say("Where it may go to. Friction takes energy as long as P slips, and J stays: of all motions with this J at a tilt, the one that does not slip has the least energy,");
+    s.say("Final state: friction dissipates energy as long as P slips, and J is constant: of all motions with this J at a tilt, the one that does not slip has the least energy,");
     s.formula(
         "W(θ) = J²/(2 R² D) + m g R (1 − α cos θ),   D = A sin²θ + C (cos θ − α)²",
         r"W(\theta) = \frac{J^2}{2 R^2 D} + m g R (1 - \alpha \cos\theta), \qquad D = A \sin^2\theta + C (\cos\theta - \alpha)^2",
@@ -114,7 +114,7 @@ fn energy(g: &OnGround<'_, '_>, top: &TippeTop, jellett: f64, s: &mut Section) {
 }
 
 fn groups(g: &OnGround<'_, '_>, top: &TippeTop, jellett: f64, s: &mut Section) {
-    s.say("Which ends are minima is a matter of A, C and α, and of J:");
+    s.say("Which final states are minima depends on A, C, α and J:");
     s.formula(
         "J1² = m g R³ α C² (1 − α)⁴/[A − C (1 − α)],   J2² = m g R³ α C² (1 + α)⁴/[C (1 + α) − A]",
         r"J_1^2 = \frac{m g R^3 \alpha C^2 (1 - \alpha)^4}{A - C (1 - \alpha)}, \qquad J_2^2 = \frac{m g R^3 \alpha C^2 (1 + \alpha)^4}{C (1 + \alpha) - A}",
@@ -164,14 +164,14 @@ fn ends(g: &OnGround<'_, '_>, top: &TippeTop, jellett: f64, e: Direction<Body>, 
     let to = names.join(", or to ");
     let dry = g.friction().sticking > 0.0;
     if g.is_frictionless() {
-        return "Without friction it does not rise: it nods.".to_owned();
+        return "Without friction it does not rise: it nutates.".to_owned();
     }
     if g.is_rolling() && dry || !matches!(g.contact.law.grip(), Grip::Friction(_)) {
-        s.say("As it rolls, nothing is lost, and it does not go there: it nods about the steady motion that is nearest.");
-        return "It rolls, and as long as it does friction takes nothing: it does not turn over.".to_owned();
+        s.say("It rolls, so no energy is lost and it does not reach that state: it nutates about the nearest steady motion.");
+        return "It rolls without slip, so friction dissipates nothing: it does not turn over.".to_owned();
     }
     if dry {
-        s.say("Dry friction holds P once it has come to rest. So the top may stay short of the minimum, where it nods without slip.");
+        s.say("Dry friction holds P once it is at rest. So the top may stop short of the minimum and nutate there without slip.");
     }
     let gained = top.mass * top.gravity * top.radius * top.eccentricity;
     if let Some(last) = minima.last().filter(|last| last.place != Place::Bottom) {
@@ -179,7 +179,7 @@ fn ends(g: &OnGround<'_, '_>, top: &TippeTop, jellett: f64, e: Direction<Body>, 
         s.line(format!("U gains m g α R (cos θ0 − cos θ) = {} J on the way to {}", n(up), name(last)));
         s.line(format!("out of the spin, of which {} rad/s are left", n(top.spin(jellett, last.cosine))));
     }
-    format!("Sliding friction leads it to {to}, with J = {} kg·m³/s as at the start.", n(jellett))
+    format!("Sliding friction brings it to {to}, with J = {} kg·m³/s as at the start.", n(jellett))
 }
 
 fn name(state: &EndState) -> String {

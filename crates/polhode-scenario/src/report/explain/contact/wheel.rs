@@ -31,7 +31,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     if !(upright && along_slope && g.is_rolling() && roller.downhill().norm() > 0.0) {
         return None;
     }
-    s.say("It stands upright, with its axis level and across the slope, and turns about that alone: so it stays. What counts is how its moment about the axis compares with m a², a the height of the centre of mass:");
+    s.say("It is upright, with its axis level and perpendicular to the slope, and rotates about this axis only, so it remains so. Its motion depends on the ratio of its moment about the axis to m a², with a the height of the centre of mass:");
     s.formula("k = C/(m a²),   σ = k/(1 + k)", r"k = \frac{C}{m a^2}, \qquad \sigma = \frac{k}{1 + k}");
     ball::ratio(&roller, "C", s);
     Some(ball::rolls(g, &roller, s))

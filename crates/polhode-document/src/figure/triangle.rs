@@ -48,7 +48,7 @@ pub(super) fn sheet(triangle: &Triangle) -> Sheet {
     let mut keys = vec![Key::dot(DOT, "found")];
     if let [(small, _), .., (large, _)] = regions[..] {
         let words = format!(
-            "the true value is in the inner region with {:.0} % probability, in the outer with {:.0} %",
+            "the truth is in the inner region with {:.0} %, in the outer with {:.0} %",
             100.0 * small,
             100.0 * large
         );

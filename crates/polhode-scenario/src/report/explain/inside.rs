@@ -252,7 +252,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         }
         s.say(match (self.is_free(), self.has_sink(), self.is_driven()) {
             (true, false, false) => {
-                "No external torque acts, no motor works and there is no friction: L is constant in space, and T is constant."
+                "No external torque acts, no motor works and no friction acts: L is constant in space, and T is constant."
             }
             (true, true, false) => "No external torque acts: L is constant in space. T only decreases.",
             (true, false, true) => {

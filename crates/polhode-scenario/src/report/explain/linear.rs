@@ -28,7 +28,7 @@ pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     let (torques, all) = match all {
         Err(_) if !gradients.is_empty() => {
             let all = OrbitalEquilibrium::all(w.rotor, &gradients, w.start);
-            s.say("With all torques there is no attitude at rest relative to the orbit; with the gravity gradient alone:");
+            s.say("With all torques no attitude is at rest relative to the orbit; with the gravity gradient alone:");
             (gradients, all)
         }
         all => (torques, all),

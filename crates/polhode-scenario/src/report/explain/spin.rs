@@ -177,7 +177,7 @@ fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<
         s.say("About the fixed pivot, all kinetic energy is rotational; step 3 gives the same value with the tensor about the pivot.");
     } else if let Some(first) = moving.first().filter(|_| exact && w.is_turning() && moving.len() > 1) {
         let other = KineticEnergySplit::of(moving, first.velocity);
-        s.say("T does not depend on the origin, but for another origin the cross term is not zero. With particle 1 as the origin:");
+        s.say("T does not depend on the origin, but with another origin the cross term is not zero. With particle 1 as the origin:");
         s.line(format!(
             "T = {} + {} + {} = {} J",
             n(other.translation),

@@ -127,7 +127,7 @@ mod tests {
             let cell = 1.4 / (most as f64 / 8.0).sqrt();
             for corner in coarse.corners().flatten() {
                 let r = (0..3).map(|k| (corner[k] - center[k]).powi(2)).sum::<f64>().sqrt();
-                assert!((r - 0.7).abs() < 2.0 * cell, "{r} beside {cell}");
+                assert!((r - 0.7).abs() < 2.0 * cell, "{r} compared with {cell}");
             }
             // Triangles still face outward: the volume is positive and close to that of the sphere.
             let volume: f64 = coarse
@@ -141,7 +141,7 @@ mod tests {
                 })
                 .sum();
             let exact = 4.0 / 3.0 * std::f64::consts::PI * 0.343;
-            assert!((volume / exact - 1.0).abs() < 0.35, "{volume} beside {exact}");
+            assert!((volume / exact - 1.0).abs() < 0.35, "{volume} compared with {exact}");
             assert_eq!(decimated(&fine, most), coarse);
         }
     }

@@ -96,7 +96,7 @@ pub enum MethodReason {
 impl fmt::Display for MethodReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Asked => f.write_str("it was asked for"),
+            Self::Asked => f.write_str("it was requested"),
             Self::Given => f.write_str("the motion is given"),
             Self::Gimbals => f.write_str("the equations of a rotor in gimbals have Taylor series"),
             Self::Contact => f.write_str(

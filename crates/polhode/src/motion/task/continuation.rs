@@ -48,7 +48,7 @@ impl Scenario {
         if matches!(motion.ending(), Ending::Failed { .. } | Ending::Contact { .. }) {
             return none("it could not be computed further");
         }
-        let Some(run) = self.run() else { return none("there is no run") };
+        let Some(run) = self.run() else { return none("the scenario has no [run]") };
         let Some(last) = motion.samples().last() else { return none("it has no samples") };
         let continued = self.clone().sampled(Run { times, ..run.clone() });
         if self.prescribed().is_some() {

@@ -128,7 +128,7 @@ fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Secti
     }
     let rates = disk.rates(at.tilt, at.spin);
     if rates.is_empty() {
-        s.say("There is no root: at this tilt it rolls too slowly for a circle, and the tilt changes from the start.");
+        s.say("No root exists: at this tilt it rolls too slowly for a circle, and the tilt changes from the start.");
         return None;
     }
     let names = if rates.len() == 2 { ["the slower", "the faster"] } else { ["the one", ""] };

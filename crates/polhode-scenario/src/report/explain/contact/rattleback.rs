@@ -33,7 +33,7 @@ pub(crate) fn solve(
         n(steady.turned_from_start.to_degrees())
     ));
     disk::departures(g, steady, s);
-    s.say("The linear equations do not give the loss of spin, the time of reversal and the spin afterwards: there is no closed form, and the motion is integrated (step 6).");
+    s.say("The linear equations do not give the loss of spin, the time of reversal and the spin afterwards. They have no closed form, so the motion is integrated (step 6).");
     answer
 }
 

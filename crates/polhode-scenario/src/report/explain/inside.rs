@@ -330,12 +330,12 @@ impl<'a, 'w> Inside<'a, 'w> {
         for one in [nearest(all.last()), nearest(all.first())].into_iter().flatten() {
             let decay = match one.with_friction(&sink) {
                 DissipativeLimit::Leaves { rate, .. } => {
-                    format!("a departure grows by e in {} s", n(1.0 / rate))
+                    format!("a deviation grows by a factor e in {} s", n(1.0 / rate))
                 }
                 DissipativeLimit::Settles { rate, .. } => {
-                    format!("a departure falls to 1/e in {} s", n(1.0 / rate))
+                    format!("a deviation decays to 1/e in {} s", n(1.0 / rate))
                 }
-                _ => "a departure stays".to_owned(),
+                _ => "a deviation stays constant".to_owned(),
             };
             s.line(format!("from ω = {} rad/s: {decay}", v(one.omega.to_array())));
         }

@@ -68,18 +68,18 @@ pub(crate) fn solve(
         n(at.nodding)
     ));
     if !g.is_rolling() && g.is_frictionless() {
-        s.say("Without friction the centre of mass only rises and falls, and L · n and ω · e stay: θ moves as that of a top whose peg is the point of contact, in the effective potential of both. It is integrated (step 6).");
+        s.say("Without friction the centre of mass only rises and falls, and L · n and ω · e are constant: θ moves like that of a top with its tip at the point of contact, in the effective potential of both constants. The motion is integrated (step 6).");
         upright(disk, at.tilt, Footing::Frictionless, s);
         return None;
     }
     if !g.is_rolling() {
-        s.say("It slips at first, and friction changes θ, s and Ω until it does not: no closed form is known for that. What follows is of what rolls.");
+        s.say("It slips at first, and friction changes θ, s and Ω until it rolls: no closed form is known for this phase. The following applies to rolling.");
     }
     let answer = circles(g, disk, &at, s);
     upright(disk, at.tilt, Footing::Rolling, s);
     let settled = euler(g, disk, &at, s);
     if !is_steady(disk, &at) {
-        s.say("Between these steady motions it nods. A disk that rolls has besides T + U two constants more, linear in ω (Appell, Korteweg 1900), but they are hypergeometric functions of cos θ: no formula for θ(t) follows, and it is integrated (step 6).");
+        s.say("Between these steady motions it nutates. A rolling disk has two constants in addition to T + U, linear in ω (Appell, Korteweg 1900), but they are hypergeometric functions of cos θ and give no formula for θ(t): the motion is integrated (step 6).");
     }
     settled.or(answer)
 }
@@ -100,7 +100,7 @@ fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Secti
         r"\Omega^2 \sin\theta (A \cos\theta - m r_e H) - \Omega s (C \sin\theta + m r_p H) = m g D",
     );
     s.say(
-        "with r = r_p p + r_e e, H = r_p sin θ − r_e cos θ the height of the centre of mass, and D = r_p cos θ + r_e sin θ its distance from P along the ground. On the left is what it takes to turn L and v, on the right the torque that pulls it over. A thin disk with a sharp \
+        "with r = r_p p + r_e e, H = r_p sin θ − r_e cos θ the height of the centre of mass, and D = r_p cos θ + r_e sin θ its distance from P along the ground. The left side is the rate of change of L and v, the right side the tipping torque. A thin disk with a sharp \
          edge has r_p = R, r_e = 0:",
     );
     s.formula(
@@ -147,7 +147,7 @@ fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Secti
             .copied()
             .min_by(|a, b| (a - at.precession).abs().total_cmp(&(b - at.precession).abs()))?;
         s.say(format!(
-            "The start has Ω = {} rad/s and θ\u{307} = {} rad/s, and not the {} rad/s of a circle: θ does not stay.",
+            "The start has Ω = {} rad/s and θ\u{307} = {} rad/s, not the {} rad/s of a circle: θ does not stay constant.",
             n(at.precession),
             n(at.nodding),
             n(nearest)
@@ -169,7 +169,7 @@ fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Secti
 
 /// Writes the eigenvalues of the linearized motion about a steady motion.
 pub(crate) fn departures(g: &OnGround<'_, '_>, steady: &SteadyOnGround, s: &mut Section) {
-    let without = if g.is_resisted() { ", without what resists it," } else { "" };
+    let without = if g.is_resisted() { ", without the resisting torques," } else { "" };
     s.say(format!("A small deviation from it{without} obeys linear equations with the eigenvalues σ ± iϖ:"));
     let rows: Vec<Vec<f64>> =
         steady.modes.iter().map(|mode| vec![mode.frequency, mode.growth_rate]).collect();
@@ -185,8 +185,8 @@ pub(crate) fn departures(g: &OnGround<'_, '_>, steady: &SteadyOnGround, s: &mut 
     let while_held =
         if g.friction().sticking > 0.0 { ", as long as friction holds the point of contact" } else { "" };
     s.say(match steady.is_stable() {
-        true => format!("None grows: it lasts{while_held}."),
-        false => "One grows: it does not last.".to_owned(),
+        true => format!("No mode grows: the motion is stable{while_held}."),
+        false => "One mode grows: the motion is unstable.".to_owned(),
     });
 }
 
@@ -248,8 +248,7 @@ fn euler(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Section
         r"s = 0, \qquad \Omega^2 \sin\theta = \frac{m g R}{A}, \qquad T + U = \tfrac32 m g R \sin\theta \qquad \text{(thin)}",
     );
     s.say(
-        "The flatter it lies, the less is there of L across the vertical, A Ω sin θ cos θ; but the torque of N, m g R cos θ, is the same, and has to turn it round: so it goes round ever faster, though the energy falls. What is heard is P, at Ω/2π, and the pitch rises; the body itself \
-         turns slowly, as P comes round to nearly the same place of it, at Ω (1 − cos θ) if it is thin.",
+        "As the disk becomes flatter, the horizontal component of L, A Ω sin θ cos θ, decreases, but the torque of N that rotates it, m g R cos θ, does not. So Ω increases although the energy decreases. The sound comes from P, at Ω/2π, so its pitch rises. The body itself rotates slowly, at Ω (1 − cos θ) if it is thin, because P returns to nearly the same point of it.",
     );
     let rows: Vec<Vec<f64>> = tilts(at.tilt)
         .into_iter()
@@ -286,7 +285,7 @@ fn tilts(from: f64) -> Vec<f64> {
 
 fn settles(g: &OnGround<'_, '_>, disk: &CirclingDisk, lever: f64, here: f64, s: &mut Section) -> String {
     s.say(
-        "Rolling friction takes µr N |ω_t| = µr m g Ω sin θ cos θ of the energy. At small tilts of a thin disk that is √θ times a constant, with E ∝ θ, so that √θ falls evenly to nothing, in a finite time:",
+        "Rolling friction dissipates the power µr N |ω_t| = µr m g Ω sin θ cos θ. At small tilts of a thin disk this is proportional to √θ, and E ∝ θ, so √θ decreases linearly to zero in a finite time:",
     );
     s.formula(
         "T_flat = 3 R/(µr Ω0),   θ = θ0 (1 − t/T_flat)²,   Ω = Ω0/(1 − t/T_flat)",
@@ -303,7 +302,7 @@ fn settles(g: &OnGround<'_, '_>, disk: &CirclingDisk, lever: f64, here: f64, s: 
     let flat = g.motion().and_then(|motion| {
         motion.changes().iter().find(|event| event.change == ContactChange::LiesFlat).map(|event| event.time)
     });
-    s.say("It takes the rate about e as well, so that in the run the centre of mass does not stay quite at rest, and Ω is somewhat less than in the table.");
+    s.say("It also reduces the rate about e, so in the run the centre of mass is not exactly at rest, and Ω is slightly lower than in the table.");
     match flat {
         Some(time) => {
             s.line(format!("in the run it lies flat after {} s", n(time - g.start.state.time)));

@@ -44,13 +44,13 @@ fn sliding(
     s: &mut Section,
 ) -> Option<String> {
     s.say(
-        "While it spins fast and slips, friction is too small to keep up with the gyroscopic torques: these balance by themselves, (C ω_e − A Ω cos θ) Ω sin θ = 0, so that L is nearly A Ω along the vertical. Then J = −L · r, which friction keeps of a ball (Jellett), nearly stays of an egg (Moffatt, Shimomura 2002), and the energy is one of h alone:",
+        "While it spins fast and slips, friction is small compared with the gyroscopic torques, which balance each other: (C ω_e − A Ω cos θ) Ω sin θ = 0, so that L is nearly A Ω along the vertical. Then J = −L · r, which is constant for a ball (Jellett), is nearly constant for an egg (Moffatt, Shimomura 2002), and the energy depends on h alone:",
     );
     s.formula(
         "J = −L · r ≈ A Ω h,   E(h) = J²/(2 A h²) + m g h,   dE/dh < 0 where Ω² > m g h/A",
         r"J = -\mathbf L \cdot \mathbf r \approx A \Omega h, \qquad E(h) = \frac{J^2}{2 A h^2} + m g h, \qquad \frac{dE}{dh} < 0 \text{ where } \Omega^2 > \frac{m g h}{A}",
     );
-    s.say("Friction takes energy. So the centre of mass rises if the spin is fast enough, and to the very end if |J| > √(A m g h³) with the largest h: what it gains in height, and loses to friction, comes out of the spin.");
+    s.say("Friction dissipates energy. So the centre of mass rises if the spin is fast enough, and fully if |J| > √(A m g h³) with the largest h: the spin supplies the potential energy and the friction losses.");
     let height = egg.height(tilt);
     let (enough, stands) = (egg.rises_beyond(height), egg.stands_beyond());
     s.line(format!("J = {} kg·m³/s,  √(A m g h³) = {} with the largest h", n(jellett), n(stands)));
@@ -103,7 +103,7 @@ fn steady(g: &OnGround<'_, '_>, s: &mut Section) {
         _ => return,
     };
     s.say(format!(
-        "Near to the start, {}° away, is a steady motion without slip: {what}, at {}. It is slip that raises the egg, and of what slips these are not the equations.",
+        "Near to the start, {}° away, is a steady motion without slip: {what}, at {}. Slip raises the egg, and these equations do not describe slip.",
         n(steady.turned_from_start.to_degrees()),
         rate(steady.spin)
     ));

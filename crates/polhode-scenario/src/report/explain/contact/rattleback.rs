@@ -75,7 +75,7 @@ fn growth(rattle: &Rattleback, spin: f64, s: &mut Section) {
 
 fn reason(s: &mut Section) {
     s.say(
-        "Reason: on a skew underside, P moves off the line of the tilt, so that N and F have a torque about the vertical that goes with the swing, and, on the average, one way. Energy stays, and so what a swing gains the spin loses: spun against its sense it stops, and as the swing is still there, it comes back the other way.",
+        "Reason: on a skew underside, P moves off the line of the tilt, so that N and F have a torque about the vertical that goes with the swing, and, on the average, one way. Energy is constant, so the spin loses what a swing gains: spun against its sense it stops, and the remaining swing then drives it the other way.",
     );
 }
 
@@ -103,7 +103,7 @@ fn threshold(rattle: &Rattleback, spin: f64, s: &mut Section) -> String {
     }
     match rattle.threshold {
         Some(threshold) if spin.abs() > threshold => {
-            format!("It is spun {stable}, in its sense and beyond {} rad/s: it stays so.", n(threshold))
+            format!("It is spun {stable}, in its sense and faster than {} rad/s: it is stable.", n(threshold))
         }
         _ => format!("It is spun {stable}, in its sense, but not fast enough{fast}."),
     }

@@ -14,8 +14,7 @@ use crate::report::facts;
 pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(1, "Choose the axes");
     s.say(
-        "Body axes x, y, z: fixed in the body, so that {I} is constant; they turn with it at ω. Origin: the centre of mass C, about which the equations of the rotation hold however C \
-         moves. The point of contact would save the force, but it wanders in the body and on the ground (step 4).",
+        "Body axes x, y, z: fixed in the body, so that {I} is constant; they turn with it at ω. Origin: the centre of mass C, about which the equations of rotation hold for every motion of C. With the point of contact as the origin the force would drop out, but this point moves in the body and on the ground (step 4).",
     );
     s.line(format!("C = {} m", v(g.w.body().center_of_mass().to_array())));
     if g.w.start.attitude == Attitude::identity() {
@@ -26,7 +25,7 @@ pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
     }
     let surface = &g.contact.surface;
     s.say(format!(
-        "What touches: {}. The ground: {}. With n the normal of the ground, towards the body, the point of contact P is where the surface has the outer normal −n, at r from C. As the body turns, n does so in the \
+        "Surface: {}. Ground: {}. With n the normal of the ground, towards the body, the point of contact P is where the surface has the outer normal −n, at r from C. As the body turns, n does so in the \
          body, and r with it:",
         facts::surface(surface),
         facts::form(&g.contact.ground)
@@ -48,13 +47,13 @@ pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
     s.formula(text, latex);
     let what = match surface.shape() {
         SurfaceShape::Rim { thickness, .. } if *thickness > 0.0 => {
-            "d leads from C to the middle of the lower rim, e is its axis, R its radius, τ that of its tube, and p points downhill in its plane; n\u{307} is seen from the body, and on curved ground n turns in space besides."
+            "d is the vector from C to the centre of the lower rim, e is its axis, R its radius, τ that of its tube, and p points downhill in its plane; n\u{307} is seen from the body, and on curved ground n turns in space besides."
         }
         SurfaceShape::Rim { .. } => {
-            "d leads from C to the middle of the rim, e is its axis, R its radius, τ that of its tube, and p points downhill in its plane; n\u{307} is seen from the body, and on curved ground n turns in space besides."
+            "d is the vector from C to the centre of the rim, e is its axis, R its radius, τ that of its tube, and p points downhill in its plane; n\u{307} is seen from the body, and on curved ground n turns in space besides."
         }
         _ => {
-            "d leads from C to the middle of the surface; n\u{307} is seen from the body, and on curved ground n turns in space besides."
+            "d is the vector from C to the centre of the surface; n\u{307} is seen from the body, and on curved ground n turns in space besides."
         }
     };
     s.say(what);
@@ -99,7 +98,7 @@ pub(crate) fn forces(g: &OnGround<'_, '_>) -> Section {
 fn constraint(g: &OnGround<'_, '_>, s: &mut Section) {
     match g.contact.law.grip() {
         Grip::NoSlip => {
-            s.say("It rolls without slipping: the body's point at P moves as the ground does there, at w, which is zero unless the ground turns.");
+            s.say("It rolls without slipping: the point of the body at P has the velocity w of the ground there, which is zero unless the ground rotates.");
             s.formula("v + ω × r = w", r"\mathbf v + \boldsymbol\omega \times \mathbf r = \mathbf w");
         }
         _ if g.is_frictionless() => {
@@ -110,7 +109,7 @@ fn constraint(g: &OnGround<'_, '_>, s: &mut Section) {
             );
         }
         _ => {
-            s.say("P stays on the ground, u · n = 0. Where it slips, at u, friction is against u, of a size that is given; where it does not, friction is what holds it, up to µₛ N:");
+            s.say("P stays on the ground, u · n = 0. Where it slips, at u, friction opposes u with a known magnitude; where it does not, friction is a constraint force of at most µₛ N:");
             s.formula(
                 "u = v + ω × r − w;   u ≠ 0:  F = −(µ N/|u| + c) u;   u = 0:  |F| ≤ µₛ N",
                 r"\mathbf u = \mathbf v + \boldsymbol\omega \times \mathbf r - \mathbf w, \qquad \mathbf F = -\left(\frac{\mu N}{|\mathbf u|} + c\right) \mathbf u \quad (\mathbf u \ne 0), \qquad |\mathbf F| \le \mu_s N \quad (\mathbf u = 0)",

@@ -63,7 +63,7 @@ fn reason(g: &OnGround<'_, '_>, e: Direction<Body>, s: &mut Section) {
         r"\mathbf F = -\mu N \hat{\mathbf u}, \quad \hat{\mathbf u} = \frac{\mathbf n \times \mathbf e}{\sin\theta}; \qquad (\mathbf r \times \mathbf F) \cdot \mathbf n = -\mu N \alpha R \sin\theta, \qquad (\mathbf r \times \mathbf F) \cdot \mathbf e = -\mu N R \sin\theta",
     );
     s.say(
-        "So it takes L · e away 1/α times as fast as L · n. L keeps its direction nearly, along the vertical, for it is large; and where L stays and its component along e falls, through zero and below, e has to turn away from L: up. (A top on a peg is raised by the same torque.) Jellett's constant says it in one line: J/R = L · n − α L · e.",
+        "So L · e decreases 1/α times as fast as L · n. L is large and stays nearly vertical. Because its component along e decreases through zero, e must turn away from L: upward. (The same torque raises a top on a rounded tip.) Jellett's constant in one line: J/R = L · n − α L · e.",
     );
     let friction = g.start.state.attitude.inverse() * super::direction(g.start.friction.to_array());
     let torque = Direction::<Body>::from_array(g.arm.to_array()).cross(friction);
@@ -74,7 +74,7 @@ fn reason(g: &OnGround<'_, '_>, e: Direction<Body>, s: &mut Section) {
             n(g.start.friction.norm())
         ));
         s.line(format!("(r × F) · n = {} N·m,  (r × F) · e = {} N·m", n(torque.dot(g.up)), n(torque.dot(e))));
-        s.line(format!("it takes the energy at F · u = {} W", n(g.start.friction.dot(g.start.slip))));
+        s.line(format!("the dissipated power is F · u = {} W", n(g.start.friction.dot(g.start.slip))));
     } else if g.is_frictionless() {
         s.say("Without friction it does not rise: T + U, L · n and ω · e are constant, and θ oscillates.");
     } else {
@@ -88,7 +88,7 @@ fn energy(g: &OnGround<'_, '_>, top: &TippeTop, jellett: f64, s: &mut Section) {
         "W(θ) = J²/(2 R² D) + m g R (1 − α cos θ),   D = A sin²θ + C (cos θ − α)²",
         r"W(\theta) = \frac{J^2}{2 R^2 D} + m g R (1 - \alpha \cos\theta), \qquad D = A \sin^2\theta + C (\cos\theta - \alpha)^2",
     );
-    s.say("and it ends in a minimum of W. T + U of the start is above it by what slips:");
+    s.say("and it ends in a minimum of W. T + U at the start exceeds it by the energy of the slip:");
     let up = g.start.normal.dot(g.start.center) * g.contact.gravity.norm() * g.w.body().mass();
     let from = g.start.normal.dot(g.start.contact) * g.contact.gravity.norm() * g.w.body().mass();
     let total = g.start.kinetic_energy + up - from;

@@ -18,7 +18,7 @@ pub(crate) fn stands(
 ) -> String {
     s.say(
         "Near to the start is a steady motion: the body spins about the vertical at Ω on a point below its centre of mass, at the height h; R are the radii of curvature there, S the moments across the vertical, C that about it (matrices along two axes \
-         of the body across n). Small departures q of n obey",
+         of the body across n). Small deviations q of n obey",
     );
     s.formula(
         "M q\u{308} + Ω (γ J − µ h J G′) q\u{307} + K q = 0,   M = tr S − S + µ h²,   K = m g G + Ω² (µ h G + C − S),   G = R − h",

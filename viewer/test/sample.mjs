@@ -214,7 +214,7 @@ const FREE_CAPTIONS = {
   body: "No torque: L is fixed in space.",
   poinsot: "The inertia ellipsoid rolls without slipping on the invariable plane; the point of contact traces polhode and herpolhode.",
   cones: "The body cone (ω to axis 3: 53.9° … 89.9°) rolls on the space cone (ω to L: 0.02° … 34.3°); neither is circular.",
-  sphere: "The tip of L in the body runs round axis 3; the separatrices pass through axis 2.",
+  sphere: "The tip of L in the body circles axis 3; the separatrices pass through axis 2.",
 };
 
 function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "centre of mass", lever = [0, 0, 0], top = null, scene = {} }) {

@@ -129,7 +129,7 @@ fn a_rods_inertia_ellipsoid_is_a_cylinder() {
         "{poinsot}"
     );
     assert!(text(&permanent, "cones").starts_with("A permanent rotation"), "{permanent}");
-    assert!(text(&permanent, "sphere").starts_with("L keeps its place in the body"), "{permanent}");
+    assert!(text(&permanent, "sphere").starts_with("L is constant in the body"), "{permanent}");
 }
 
 #[test]

@@ -59,7 +59,7 @@ fn poinsot(motion: &FreeMotion) -> String {
 
 fn cones(free: &FreeFacts) -> String {
     if !is_moving(&free.motion) {
-        return "A permanent rotation: ω stays along L, and either cone is a line.".to_owned();
+        return "A permanent rotation: ω remains along L, and both cones are lines.".to_owned();
     }
     let ConeAngles { body, space, precession } = ConeAngles::of(free);
     let [half, narrow] = [body, space].map(|[least, _]| degrees(least));
@@ -86,29 +86,30 @@ fn sphere(free: &FreeFacts) -> String {
     let motion = &free.motion;
     match (motion.regime(), free.regime.period) {
         (Regime::Separatrix, _) => {
-            "The tip of L in the body runs along a separatrix to axis 2, which it never reaches.".to_owned()
+            "The tip of L in the body moves along a separatrix towards axis 2, without reaching it."
+                .to_owned()
         }
         (_, Some(period)) if is_rod(motion) => {
             let period = time(period, DIGITS);
             format!(
-                "The tip of L in the body runs round axis 1 once in {period}, on the great circle across the rod: L has no component along \
+                "The tip of L in the body circles axis 1 once in {period}, on the great circle across the rod: L has no component along \
                  it."
             )
         }
         (regime, Some(period)) => {
             let separatrices = if regime == Regime::Symmetric {
-                "; of a symmetric body all are circles"
+                "; for a symmetric body all curves are circles"
             } else {
                 "; the separatrices pass through axis 2"
             };
             let axis = circled(motion);
             let period = time(period, DIGITS);
             format!(
-                "The tip of L in the body runs round axis {axis} once in {period}, along T = const on the sphere |L| = \
+                "The tip of L in the body circles axis {axis} once in {period}, along T = const on the sphere |L| = \
                  const{separatrices}."
             )
         }
-        (regime, None) => format!("L keeps its place in the body: {}.", regime.description()),
+        (regime, None) => format!("L is constant in the body: {}.", regime.description()),
     }
 }
 

@@ -54,7 +54,7 @@ impl fmt::Display for PlotError {
         match self {
             Self::NotThere { figure, why } => write!(f, "the motion has no figure {}: {why}", figure.name()),
             Self::TooFewSamples { count } => {
-                write!(f, "a plot against time needs 2 samples, and there are {count}")
+                write!(f, "a plot against time needs at least 2 samples, but the motion has {count}")
             }
             Self::TooCoarse { figure, turn } => write!(
                 f,

@@ -246,10 +246,10 @@ impl<'a> MotionFigures<'a> {
                 Some("there is neither an [orbit] nor a [[pointing]]")
             }
             (Figure::Axis, _) if self.axis.is_none() => {
-                Some("it is that of a body which gravity turns about a pivot")
+                Some("this figure needs a body with a pivot under gravity")
             }
             (Figure::Drift, _) if self.motion.is_prescribed() => {
-                Some("the motion is prescribed: nothing is solved, and nothing drifts")
+                Some("the motion is prescribed, so it has no integration drift")
             }
             (Figure::Polhodes | Figure::Herpolhode, None) if self.motion.is_prescribed() => {
                 Some("the motion is prescribed, not free: it has no polhode")

@@ -59,6 +59,7 @@ impl Subject {
         match InertiaTensor::<Body>::diagonal(moments) {
             Err(BodyError::TriangleInequality { moments: [i1, i2, i3] }) if !allowed => {
                 let [sum, excess] = [i1 + i2, i3 - (i1 + i2)].map(short);
+                let [i1, i2, i3, sum, excess] = [i1, i2, i3, sum, excess].map(plain);
                 Err(Failure::usage(
                     format!(
                         "the moments are unphysical: {i1} + {i2} = {sum} is less than {i3} kg·m², by {excess} \
@@ -193,6 +194,11 @@ impl Subject {
 fn elements(body: &MassProperties<Body>) -> String {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();
     format!("tensor {xx}, {yy}, {zz}, {xy}, {xz}, {yz} kg·m²")
+}
+
+/// Formats a number without exponent if it is of moderate size.
+fn plain(x: f64) -> String {
+    if x != 0.0 && !(1e-9..1e16).contains(&x.abs()) { format!("{x:e}") } else { x.to_string() }
 }
 
 /// Rounds a number to seven digits, which removes rounding errors of a sum.

@@ -39,7 +39,7 @@ pub(crate) fn stands(
     if let Some(spins) = &steady.stable_spins {
         law(spins, s);
     }
-    let verdict = if steady.is_stable() { "is stable" } else { "does not last" };
+    let verdict = if steady.is_stable() { "is stable" } else { "is unstable" };
     format!("It spins at {} on a point below its centre of mass; that {verdict}.", rate(steady.spin))
 }
 

@@ -47,7 +47,7 @@ fn a_figure_that_there_is_not_is_refused_before_anything_is_written() {
     };
     assert!(spin("torque=a.svg").contains("no torque acts"));
     assert!(spin("a.pdf").contains(".svg or .png"));
-    assert!(spin("speed=a.svg").contains("they are omega"));
+    assert!(spin("speed=a.svg").contains("the figures are omega"));
     let heavy = ["simulate", &heavy, "--plot", "a.svg", "--plot", "energy=a.svg"];
     assert!(refused(&scratch.run(&heavy), 2).contains("two plots"));
     assert!(scratch.entries().is_empty(), "{:?}", scratch.entries());

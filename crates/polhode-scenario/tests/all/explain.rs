@@ -385,7 +385,7 @@ fn what_moves_inside_is_worked_out() {
         "dω/dt = (-8.995, 2.77333, -0.205) rad/s²",
         "T = ½ ω · {I} ω = 25 J",
         "−α |L × ω|² = -0.01·19.5192² = -3.81 W",
-        "L is kept in space. T only falls.",
+        "L is constant in space. T only decreases.",
     ] {
         assert!(text.contains(line), "{line} is missing in\n{text}");
     }

@@ -137,13 +137,13 @@ mod tests {
         assert_eq!(shorter.kind(), io::ErrorKind::UnexpectedEof);
         assert!(failed("a.stl", &shorter).to_string().contains("\"a.stl\": it became shorter while"));
         let longer = changed("longer", |file| file.set_len(1001).unwrap()).unwrap_err();
-        assert!(longer.to_string().contains("written to while"));
+        assert!(longer.to_string().contains("it was changed while"));
         let rewritten = changed("rewritten", |mut file| {
             file.write_all(&[8; 1000]).unwrap();
             file.rewind().unwrap();
             file.set_modified(std::time::UNIX_EPOCH).unwrap();
         });
-        assert!(rewritten.unwrap_err().to_string().contains("written to while"));
+        assert!(rewritten.unwrap_err().to_string().contains("it was changed while"));
     }
 
     #[test]

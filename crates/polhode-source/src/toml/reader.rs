@@ -453,14 +453,14 @@ impl<'a> Value<'a> {
 
     /// Returns N quantities in SI units.
     pub fn quantities<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
-        let elements = self.fixed("numbers or strings with units");
+        let elements = self.fixed::<N>("numbers or strings with units");
         let elements = elements.map_err(|error| error.with_hint_of(self.as_array(N, dimension, "0")))?;
         each(elements, |value| value.quantity(dimension))
     }
 
     /// Returns N positive quantities in SI units.
     pub fn positives<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
-        let elements = self.fixed("numbers or strings with units");
+        let elements = self.fixed::<N>("numbers or strings with units");
         let elements = elements.map_err(|error| error.with_hint_of(self.as_array(N, dimension, "")))?;
         each(elements, |value| value.positive(dimension))
     }

@@ -18,13 +18,14 @@ use crate::report::global_error;
 use crate::report::periods::Periods;
 use crate::report::torque::{Description, wheel_name};
 
-/// Digits of a number in an answer.
+/// Significant digits of a number in an answer.
 pub(crate) const DIGITS: usize = 4;
 
-/// More angles than these are among the facts only.
+/// Maximum number of angles in an answer; the facts contain all of them.
 const MOST_ANGLES: usize = 2;
 
-/// The kind of the motion with its main numbers, what causes it, and how it ended if not at the end of the run.
+/// Returns the kind of the motion with its main numbers, its cause, and its end if it is not the
+/// end of the run.
 pub(crate) fn lines(known: &Known<'_>) -> Vec<String> {
     let mut lines = match (&known.heavy_top, known.free(), known.scenario) {
         (Some(top), _, _) => vec![heavy_top(top)],
@@ -59,7 +60,8 @@ fn heavy_top(top: &HeavyTop) -> String {
     }
 }
 
-/// The flips of a body that starts near its intermediate axis, else the kind of motion with its periods.
+/// Describes the flips of a body that starts near its intermediate axis, or else the kind of motion
+/// with its periods.
 pub(crate) fn free_motion(free: &FreeFacts) -> String {
     let FreeRegime { regime, period, flip_interval, growth_rate } = free.regime;
     let kind = capitalised(regime.description());
@@ -152,7 +154,8 @@ fn swings(swing: &Swing) -> String {
     }
 }
 
-/// The largest of the angles that are of interest; none of a motion whose attitude has no right digit at the end.
+/// Describes the largest of each requested angle. The result is empty if the attitude at the end
+/// has no correct digit.
 fn angles(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
     if !is_end_known(known) {
         return Vec::new();
@@ -167,12 +170,12 @@ fn angles(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
     largest.take(MOST_ANGLES).collect()
 }
 
-/// Returns true if a digit of the attitude at the end is right.
+/// Returns true if the attitude at the end has a correct digit.
 fn is_end_known(known: &Known<'_>) -> bool {
     has_digits(LARGEST_ATTITUDE_ERROR, global_error::of_attitude(known.trajectory))
 }
 
-/// |ω| at both ends.
+/// Describes |ω| at both ends; `None` if the digits at the end are not known.
 fn change(known: &Known<'_>, first: &Sample, last: &Sample) -> Option<String> {
     let ([from, to], error) =
         ([first, last].map(|s| s.state.omega.norm()), global_error::of_omega(known.trajectory));
@@ -203,9 +206,10 @@ fn contact(known: &Known<'_>, ground: &GroundContact) -> Vec<String> {
     lines
 }
 
-/// Energy at both ends, and the height that the centre of mass gains if the attitude at the end is known.
+/// Describes the energy at both ends, and the rise of the centre of mass if the attitude at the end
+/// is known.
 fn energy_and_height(first: &ContactState, last: &ContactState, is_known: bool) -> String {
-    /// Least change of the height that is reported, relative to the height.
+    /// Smallest change of the height that is reported, relative to the height.
     const RISE: f64 = 1e-3;
     let [before, after] = [first, last].map(|s| number(s.kinetic_energy + s.potential_energy, DIGITS));
     let energy = match before == after {
@@ -221,9 +225,9 @@ fn energy_and_height(first: &ContactState, last: &ContactState, is_known: bool) 
     format!("{energy}; the centre of mass {moves} by {}.", length((high - low).abs()))
 }
 
-/// Torques, wheels and changing mass: what turns the body.
+/// Describes the causes of the motion: torques, wheels and changing mass.
 fn cause(scenario: &Scenario) -> String {
-    // What takes energy inside the body leaves L as it is.
+    // Losses of energy inside the body do not change L.
     let (inner, outer): (Vec<&TorqueModel>, Vec<_>) =
         scenario.torques().iter().partition(|torque| matches!(torque, TorqueModel::EnergySink(_)));
     let torques: Vec<String> = outer.into_iter().map(|torque| Description::of(torque).title).collect();
@@ -247,7 +251,7 @@ fn cause(scenario: &Scenario) -> String {
     format!("{outside}{lost}{inside}.")
 }
 
-/// `the motor turns the wheel from 5 s to 25 s`
+/// Describes the drive of a wheel, such as `a motor turns the wheel from 5 s to 25 s`.
 fn wheel(scenario: &Scenario, k: usize) -> String {
     let Some(wheel) = scenario.wheels().get(k) else { return String::new() };
     let name = match wheel_name(scenario, k) {

@@ -1,16 +1,16 @@
-//! What a computed motion should keep, by name: the lines of its drift.
+//! Quantities that a computed motion should conserve, by name, and their drift.
 
 use polhode::motion::{Mechanism, MethodReason, Sample, Scenario, Solution, Trajectory};
 use polhode::observe::Drift;
 
-/// What turns a body.
+/// Causes that make the motion differ from that of a free rigid body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Driven {
-    /// A torque acts, or would have to, or the ground or gimbals do.
+    /// A torque acts, the motion is prescribed, or the ground or gimbals hold the body.
     pub by_torques: bool,
-    /// Wheels spin inside.
+    /// Wheels spin inside the body.
     pub by_wheels: bool,
-    /// Its mass changes.
+    /// The mass of the body changes.
     pub by_mass: bool,
 }
 
@@ -30,26 +30,26 @@ impl Driven {
         self.by_torques || self.by_wheels || self.by_mass
     }
 
-    /// What the work done since the start is called.
+    /// Returns the name of the work done since the start.
     pub(crate) const fn work(self) -> &'static str {
         if self.by_torques || self.by_mass { "work" } else { "work of the motors" }
     }
 }
 
-/// True if all samples have a finite potential energy.
+/// Returns true if all samples have a finite potential energy.
 pub(crate) fn has_potential<'a>(samples: impl IntoIterator<Item = &'a Sample>) -> bool {
     samples.into_iter().all(|sample| sample.potential_energy.is_some_and(f64::is_finite))
 }
 
-/// One balance, and how far it fails at each sample, relative to its size.
+/// A balance and its error at each sample, relative to the size of its terms.
 #[derive(Clone, Debug)]
 pub(crate) struct Balance {
     pub name: &'static str,
     pub values: Vec<f64>,
 }
 
-/// The balances that a motion keeps, and that say something of how it was computed; with the estimated error of the attitude, if
-/// there is one. None of a prescribed motion.
+/// Returns the balances that a motion should keep and that test its computation. The estimated
+/// error of the attitude follows, if there is one. A prescribed motion has no balance.
 pub(crate) fn balances(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
     let error = trajectory.error().map(|error| Balance {
         name: "attitude error, rad (estimate)",
@@ -58,7 +58,8 @@ pub(crate) fn balances(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> 
     kept(trajectory, driven).into_iter().chain(error).collect()
 }
 
-/// The balance of energy of a body on the ground or in gimbals, by name; `None` of any other motion.
+/// Returns the name of the energy balance of a body on the ground or in gimbals; `None` for any
+/// other motion.
 pub(crate) fn energy_balance(trajectory: &Trajectory) -> Option<&'static str> {
     match trajectory.reason() {
         MethodReason::Contact => Some("T + U − works of the contact"),
@@ -85,7 +86,7 @@ fn kept(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
     }
     let has_potential = drift.iter().all(|d| d.total_energy.is_some());
     let total = has_potential.then(|| one("T + U", |d| d.total_energy.unwrap_or_default()));
-    // Work and impulse of a closed form are what T and L have gained.
+    // In a closed form, work and impulse are the gains of T and L, so they test nothing.
     if let (Solution::ClosedForm(_), Some(total)) = (trajectory.solution(), &total) {
         return vec![total.clone()];
     }

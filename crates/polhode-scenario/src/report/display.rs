@@ -1,3 +1,3 @@
-//! What a page is sent, for other pages than the report's: shapes, meshes made coarser, boxes for tensors.
+//! Shapes, decimated meshes and equivalent boxes of tensors, for pages other than the report's.
 
 pub use crate::report::page::{decimated, equivalent_box, shape_of};

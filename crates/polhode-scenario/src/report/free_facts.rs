@@ -24,7 +24,7 @@ impl FreeFacts {
         Self { motion, regime, periods: Periods::of(&motion), top }
     }
 
-    /// Of the free motion that a start would have without torque; `None` if it has none.
+    /// Returns the facts of the free motion from `start` without torque; `None` if it has none.
     pub(crate) fn from_start(rotor: &Rotor, start: State) -> Option<Self> {
         FreeMotion::of(rotor, start).ok().map(Self::of)
     }

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 /// `12.5 → 8.3 kg, through an exit, with jet damping; d(I ω)/dt + ω × I ω = N − Σ µ ρ × (ω × ρ)`
 pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
-    /// With no mass lost on the way.
+    /// Equation of motion without loss of mass.
     const KEPT: &str = "d(I ω)/dt + ω × I ω = N";
     let [Ok((first, _)), Ok((last, _))] = [from, at_end(to)].map(|time| history.at(time)) else {
         return String::new();
@@ -20,7 +20,7 @@ pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
     let [flows, drops] = losses(history, [from, to]);
     let (mut how, law) = match history.outflow() {
         _ if !flows => (if drops { "dropped" } else { "mass moves in the body" }.to_owned(), KEPT),
-        // Of rounding.
+        // Only rounding makes the mass smaller here.
         Outflow::None => ("mass moves in the body".to_owned(), KEPT),
         Outflow::InPlace => ("left behind in place".to_owned(), "I dω/dt + ω × I ω = N"),
         Outflow::Exits(exits) => {
@@ -38,7 +38,7 @@ pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
     format!("{mass} kg, {how}; {law}")
 }
 
-/// Does mass leave steadily in this time, and at once?
+/// Returns true if mass leaves continuously in this time, and true if it leaves instantaneously.
 fn losses(history: &MassHistory, [from, to]: [f64; 2]) -> [bool; 2] {
     let mass = |time: f64| history.at(time).map_or(f64::NAN, |(body, _)| body.mass());
     let is_less = |before: f64, after: f64| mass(after) < mass(before);
@@ -53,12 +53,13 @@ fn losses(history: &MassHistory, [from, to]: [f64; 2]) -> [bool; 2] {
     [flows, drops]
 }
 
-/// What jumps at the end is as it was: so is the motion's last state.
+/// Returns the last time before `end`. A jump at the end is excluded, as in the last state of the
+/// motion.
 const fn at_end(end: f64) -> f64 {
     end.next_down()
 }
 
-/// The body at the end, and when something changes.
+/// Returns the outflow, the times of all changes, and the body at the end.
 pub(crate) fn to_json(history: &MassHistory, end: f64) -> Value {
     let how = match history.outflow() {
         Outflow::None => "none",

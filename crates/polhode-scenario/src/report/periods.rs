@@ -1,21 +1,23 @@
-//! The two periods of a free motion, each in the convention of its own mode.
+//! Periods of precession and rotation of a free motion, in the convention of its own mode.
 
 use std::f64::consts::TAU;
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::{AxisConvention, Cones, SymmetricTop, TumblingPeriods};
 
-/// How long the axis that L circles takes about L, on average, and how long the body takes about that axis, s.
+/// Mean period of precession about L of the axis that L circles, and period of rotation of the body
+/// about that axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Periods {
-    /// Of the axis about L; of a motion that has one.
+    /// Period of the axis about L, s; `None` if the motion has no precession.
     pub precession: Option<f64>,
-    /// Of the body about the axis; of a permanent rotation, of the body.
+    /// Period of the body about the axis, s; in a permanent rotation, period of the body.
     pub rotation: Option<f64>,
 }
 
 impl Periods {
-    /// Those of a motion; a permanent rotation has no precession, the separatrix and a body at rest have neither.
+    /// Returns the periods of a motion. A permanent rotation has no precession; the separatrix and
+    /// a body at rest have neither period.
     pub fn of(motion: &FreeMotion) -> Self {
         let turn = |rate: f64| (rate != 0.0).then(|| TAU / rate.abs());
         let (precession, rotation) = match motion.regime() {

@@ -1,14 +1,14 @@
-//! How far apart the samples of a motion are.
+//! Rotation angle between consecutive samples of a motion.
 
 use polhode::motion::Sample;
 
-/// A body that turns farther than this from a sample to the next may oscillate unseen, rad.
+/// Threshold of the rotation angle between samples, rad. Above it an oscillation may be hidden.
 const FAR: f64 = std::f64::consts::FRAC_PI_2;
 
-/// ω and L include an angle, in radians, where a body nutates.
+/// Threshold of the angle between ω and L, rad. Above it the body nutates.
 const PARALLEL: f64 = 1e-6;
 
-/// The largest |ω| Δt, rad.
+/// Returns the largest |ω| Δt between consecutive samples, rad.
 pub(crate) fn largest_turn<'a>(samples: impl IntoIterator<Item = &'a Sample>) -> f64 {
     let mut samples = samples.into_iter();
     let Some(mut before) = samples.next() else { return 0.0 };
@@ -21,7 +21,8 @@ pub(crate) fn largest_turn<'a>(samples: impl IntoIterator<Item = &'a Sample>) ->
     largest
 }
 
-/// The largest turn of a body from a sample to the next if it is far, and the body nutates.
+/// Returns the largest rotation angle between samples, rad, if it exceeds `FAR` and the body
+/// nutates.
 pub(crate) fn turn_that_hides(samples: &[Sample]) -> Option<f64> {
     let turn = largest_turn(samples);
     let nutates = samples.iter().any(|s| {

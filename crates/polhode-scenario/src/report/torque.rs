@@ -11,26 +11,26 @@ use polhode_document::number::{number, tidy, tidy_matrix, vector};
 use polhode_document::unit::DIGITS;
 use serde_json::{Map, Value, json};
 
-/// A torque, or a wheel, ready to be shown.
+/// A torque or a wheel, prepared for output.
 #[derive(Clone, Debug)]
 pub(crate) struct Description {
-    /// The model's name in scenario files.
+    /// Name of the model in scenario files.
     pub model: &'static str,
-    /// What it is, in a few words.
+    /// Short description.
     pub title: String,
     pub parameters: Vec<Parameter>,
-    /// When it acts; `None`: always.
+    /// Times at which it acts; `None` if it acts always.
     schedule: Option<Schedule>,
-    /// Words that are no number: `axes` = `body`.
+    /// Parameters without a number, as (key, word), such as (`axes`, `body`).
     words: Vec<(&'static str, String)>,
 }
 
-/// A number of a torque, or several.
+/// Numerical parameter of a torque: a number, a vector or a matrix.
 #[derive(Clone, Debug)]
 pub(crate) struct Parameter {
-    /// In JSON, with its unit.
+    /// Key in JSON, with the unit.
     key: &'static str,
-    /// In text.
+    /// Symbol in the text.
     symbol: &'static str,
     value: Shown,
     unit: &'static str,
@@ -144,7 +144,7 @@ impl Description {
             .put("greatest_n_m", "greatest |N|", Shown::Number(table.greatest()), "N·m")
     }
 
-    /// What a wheel is and has.
+    /// Describes a wheel with its axis, momentum and motor.
     pub(crate) fn of_wheel(wheel: &Wheel) -> Self {
         let (title, schedule, motor) = match wheel.motor() {
             Motor::Torque { inertia, torque, schedule } => {
@@ -173,7 +173,7 @@ impl Description {
         }
     }
 
-    /// Where the centre of mass is.
+    /// Adds the parameters of the orbit of the centre of mass.
     fn orbit(self, orbit: &Orbit) -> Self {
         let closest = self
             .put("orbit_mu_m3_s2", "µ", Shown::Number(orbit.mu()), "m³/s²")
@@ -200,7 +200,8 @@ impl Description {
         self
     }
 
-    /// `gravity, g = (0, 0, -9.80665) m/s² in space axes, from 1 s to 3 s`
+    /// Returns the text, such as
+    /// `gravity, g = (0, 0, -9.80665) m/s² in space axes, from 1 s to 3 s`.
     pub(crate) fn text(&self) -> String {
         let numbers = self
             .parameters
@@ -209,7 +210,7 @@ impl Description {
         [self.title.clone()].into_iter().chain(numbers).chain(self.when()).collect::<Vec<_>>().join(", ")
     }
 
-    /// When it acts; `None`: always.
+    /// Describes the times at which it acts; `None` if it acts always.
     pub(crate) fn when(&self) -> Option<String> {
         let n = |x: f64| number(x, DIGITS);
         let schedule = self.schedule?;
@@ -231,7 +232,7 @@ impl Description {
         }
     }
 
-    /// `model`, what has a name, the numbers, the `schedule`.
+    /// Returns `model`, the words, the numbers and the `schedule`.
     pub(crate) fn json(&self) -> Map<String, Value> {
         let mut object = Map::new();
         object.insert("model".to_owned(), self.model.into());
@@ -246,7 +247,7 @@ impl Description {
     }
 }
 
-/// What a wheel is called: by its scenario, else by its number if there are several.
+/// Returns the name of a wheel in its scenario, or else its number if there are several wheels.
 pub(crate) fn wheel_name(scenario: &Scenario, k: usize) -> String {
     match scenario.wheel_name(k) {
         Some(name) => name.to_owned(),
@@ -255,12 +256,13 @@ pub(crate) fn wheel_name(scenario: &Scenario, k: usize) -> String {
     }
 }
 
-/// The wheels, each with what it is called.
+/// Returns the wheels of a scenario with their names.
 pub(crate) fn named_wheels(scenario: &Scenario) -> Vec<(String, Wheel)> {
     scenario.wheels().iter().enumerate().map(|(k, wheel)| (wheel_name(scenario, k), *wheel)).collect()
 }
 
-/// When a torque acts that does not from the start: `off until the event "spun down"`.
+/// Describes when a torque that is off at the start is switched on:
+/// `off until the event "spun down"`.
 pub(crate) fn off_at_start(scenario: &Scenario, torque: usize) -> Option<String> {
     if !scenario.switched_off().contains(&torque) {
         return None;
@@ -280,7 +282,7 @@ pub(crate) fn off_at_start(scenario: &Scenario, torque: usize) -> Option<String>
 }
 
 impl Parameter {
-    /// The number without its unit.
+    /// Returns the value without its unit.
     fn shown(&self) -> String {
         match self.value {
             Shown::Number(x) => number(x, DIGITS),
@@ -302,7 +304,8 @@ impl Parameter {
     }
 }
 
-/// `from_s` and `until_s`, `null` where it is infinite; or `first_s`, `width_s`, `period_s` and `count`.
+/// Returns `from_s` and `until_s` (`null` if infinite), or `first_s`, `width_s`, `period_s` and
+/// `count`.
 fn schedule(schedule: Schedule) -> Value {
     if let Some(([first, width, period], count)) = schedule.as_pulses() {
         return json!({ "first_s": first, "width_s": width, "period_s": period, "count": count });

@@ -8,11 +8,11 @@ use polhode_document::number::{number, vector as triple};
 use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
 
-/// More events than these fill the screen: JSON has them all.
+/// Maximum number of events in the text; JSON contains all of them.
 const MOST: usize = 20;
 
-/// How a motion ended, if not at the end of the run, for people; with the time, and the event or the
-/// cause.
+/// Describes the end of the motion in words, with the time and the event or cause; `None` if it
+/// ended at the end of the run.
 pub(crate) fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> Option<String> {
     match trajectory.ending() {
         Ending::Complete => None,
@@ -29,7 +29,7 @@ pub(crate) fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> O
     }
 }
 
-/// Facts about the end of the motion, the events that happened, and those that did not.
+/// Returns facts about the end of the motion, the events that happened, and those that did not.
 pub(super) fn facts(trajectory: &Trajectory, scenario: &Scenario) -> Vec<Fact> {
     let crossings = trajectory.events();
     let ending = ending_in_words(trajectory, scenario);
@@ -58,7 +58,8 @@ pub(super) fn facts(trajectory: &Trajectory, scenario: &Scenario) -> Vec<Fact> {
     facts
 }
 
-/// `time_s`, `reason` (`end_of_run`, `event`, `contact`, `failure`), and `event` or `cause`.
+/// Returns `time_s`, `reason` (`end_of_run`, `event`, `contact`, `failure`), and `event` or
+/// `cause`.
 fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
     let last = trajectory.samples().last().map(|sample| sample.state.time);
     match trajectory.ending() {
@@ -76,7 +77,7 @@ fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
     }
 }
 
-/// Every event of the scenario, and when it happened.
+/// Returns every event of the scenario with the times at which it happened.
 fn json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
     let happened = |k: usize| -> Value {
         trajectory.events().iter().filter(|crossing| crossing.event == k).map(crossing).collect()
@@ -116,7 +117,7 @@ fn action(action: EventAction, scenario: &Scenario) -> Value {
     }
 }
 
-/// What is measured, as a scenario file names it, and along which directions.
+/// Returns the measured quantity as named in scenario files, and its directions.
 fn measure(measure: &Measure) -> Value {
     let along = |axes: &str, n: [f64; 3]| json!({ "of": "omega", "axes": axes, "along": numbers(&n) });
     match measure {

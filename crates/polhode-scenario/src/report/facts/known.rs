@@ -13,7 +13,7 @@ use polhode::observe::{Cones, Drift, SymmetricTop};
 use super::heavy_top;
 use crate::report::free_facts::FreeFacts;
 
-/// Everything that the reports of one motion ask of the core.
+/// Results of the core that the reports of one motion use.
 #[derive(Clone, Debug)]
 pub(crate) struct Known<'a> {
     /// `None` if only the moments of the body are known.
@@ -22,13 +22,13 @@ pub(crate) struct Known<'a> {
     /// Rotor at the first sample if the body changes; `None` without a scenario.
     pub rotor: Option<Cow<'a, Rotor>>,
     pub principal: PrincipalFrame<Body>,
-    /// At the first sample; that of the scenario if there is none.
+    /// State at the first sample, or the start of the scenario if there are no samples.
     pub start: State,
     /// T at the start about the point that the body turns about, J.
     pub kinetic_energy: f64,
     /// L at the start about the same point, space axes, kg·m²/s.
     pub momentum: AngularMomentum<Space>,
-    /// The free motion that the start would have without torque.
+    /// Free motion from the same start without torque.
     pub at_start: Option<FreeFacts>,
     /// True if only the inertia of the body determines the motion.
     pub is_free: bool,
@@ -86,7 +86,7 @@ impl<'a> Known<'a> {
         }
     }
 
-    /// The motion of a free body of which only the moments are known.
+    /// Returns the motion of a free body of which only the moments are known.
     pub(crate) fn of_moments(
         principal: &PrincipalFrame<Body>,
         free: Option<FreeFacts>,
@@ -111,12 +111,12 @@ impl<'a> Known<'a> {
         }
     }
 
-    /// The free motion, if it is one.
+    /// Returns the free motion; `None` if other causes act.
     pub(crate) fn free(&self) -> Option<&FreeFacts> {
         self.at_start.as_ref().filter(|_| self.is_free)
     }
 
-    /// The point that L and T are about, in words.
+    /// Returns the name of the reference point of L and T.
     pub(crate) fn about(&self) -> &'static str {
         if self.rotor.as_ref().is_some_and(|rotor| rotor.is_pivoted()) { "pivot" } else { "centre of mass" }
     }
@@ -159,7 +159,7 @@ impl Needed {
     fn by(scenario: &Scenario, motion: &Prescribed, trajectory: &Trajectory) -> Option<Self> {
         let rotor = scenario.rotor();
         let time = trajectory.samples().first().map_or(scenario.start().time, |sample| sample.state.time);
-        // A trajectory that was computed has a finite start.
+        // The start of a computed trajectory is finite.
         let at_start = Required::by(rotor, motion, time).ok()?;
         let larger = |a: &&Sample, b: &&Sample| a.torque.norm().total_cmp(&b.torque.norm());
         Some(Self {
@@ -175,12 +175,12 @@ pub(crate) fn torque_scale(needed: &Required) -> f64 {
     f64::max(needed.torque.norm(), needed.momentum.norm() * needed.state.omega.norm())
 }
 
-/// True if a value of a run is larger than that at the start by more than rounding.
+/// Returns true if a value of a run exceeds that at the start by more than rounding.
 pub(crate) fn is_larger(later: f64, at_start: f64) -> bool {
     later > at_start * (1.0 + 1e-9)
 }
 
-/// The swing of the amplitude that the scenario asks for, else of its start.
+/// Returns the swing with the amplitude of the scenario, or else with that of its start.
 fn swing(scenario: &Scenario, pendulum: &Pendulum, start: &State) -> Swing {
     let Some(hanging) = scenario.suspension() else { return Swing::Rest };
     match hanging.amplitude {

@@ -61,7 +61,7 @@ const KEYS: [&str; 23] = [
 /// ```
 #[derive(Clone, Debug)]
 pub struct MotionReport<'a> {
-    /// Where the scenario came from.
+    /// Source of the scenario.
     pub source: SourceInfo,
     scenario: &'a Scenario,
     trajectory: &'a Trajectory,
@@ -70,39 +70,40 @@ pub struct MotionReport<'a> {
 }
 
 impl<'a> MotionReport<'a> {
-    /// The report of a scenario's motion; `trajectory` is what [`Scenario::simulate`] found.
+    /// Returns the report of a scenario's motion; `trajectory` is the result of
+    /// [`Scenario::simulate`].
     pub const fn new(source: SourceInfo, scenario: &'a Scenario, trajectory: &'a Trajectory) -> Self {
         Self { source, scenario, trajectory, at: &[], is_verbose: false }
     }
 
-    /// With states at times of their own, which were asked for.
+    /// Adds the states at the requested times.
     #[must_use]
     pub fn at(self, samples: &'a [Sample]) -> Self {
         Self { at: samples, ..self }
     }
 
-    /// Adds to the text how the motion was computed, and what else is only of interest at times.
+    /// Adds to the text the method of computation and other details of occasional interest.
     #[must_use]
     pub fn verbose(self, is_verbose: bool) -> Self {
         Self { is_verbose, ..self }
     }
 
-    /// One screen for people.
+    /// Returns the text of the report, at most one screen.
     pub fn to_text(&self) -> String {
         text::write(self, sparkline::COLUMNS)
     }
 
-    /// The same for a terminal of so many columns: the picture of ω is as wide as that allows.
+    /// Returns the text for a terminal of `columns` columns; the picture of ω fills the width.
     pub fn to_screen(&self, columns: usize) -> String {
         text::write(self, sparkline::fitting(columns))
     }
 
-    /// What was noticed about the scenario and its motion.
+    /// Returns the findings about the scenario and its motion.
     pub fn findings(&self) -> Vec<Finding> {
         findings(self.scenario, self.trajectory)
     }
 
-    /// The content of `summary.json`: the body, the start, the run, the kind of motion, its error, its end.
+    /// Returns the content of `summary.json`: body, start, run, kind of motion, error, and end.
     pub fn summary_json(&self) -> Value {
         let known = Known::of(self.scenario, self.trajectory);
         let mut sections = facts::of(&known);
@@ -124,7 +125,7 @@ impl<'a> MotionReport<'a> {
     }
 }
 
-/// What was noticed about a scenario, its motion, and the error of that.
+/// Returns the findings about a scenario, its motion, and the error of the motion.
 pub(crate) fn findings(scenario: &Scenario, trajectory: &Trajectory) -> Vec<Finding> {
     let of_motion = underflow::finding(scenario, trajectory).into_iter().chain(trajectory.findings());
     scenario.findings().iter().cloned().chain(of_motion).collect()

@@ -1,4 +1,4 @@
-//! The motion on one screen: the answer first, then the facts.
+//! Text of a motion: the answer first, then the facts.
 
 use polhode_document::fact::Facts;
 use polhode_document::finding;
@@ -11,7 +11,7 @@ use super::MotionReport;
 use crate::report::answer;
 use crate::report::facts::{self, Known, solved_by, state_at};
 
-/// The motion, with a picture of ω of so many columns.
+/// Returns the text of the motion, with a picture of ω that is `picture` columns wide.
 pub(crate) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     let known = Known::of(report.scenario, report.trajectory);
     let mut lines = vec![heading(report, &known)];

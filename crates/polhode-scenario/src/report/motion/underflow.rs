@@ -1,9 +1,10 @@
-//! Energies of a motion that are below the range of numbers, though the body turns.
+//! Energies of a rotating body that underflow.
 
 use polhode::body::{Finding, Severity};
 use polhode::motion::{Sample, Scenario, Trajectory};
 
-/// `motion.underflow`: T of some sample is below the range of numbers, and not that of the start, of which the scenario's findings tell.
+/// Returns the finding `motion.underflow` if T of a sample underflows but T of the start does not.
+/// For the start, the scenario has a finding of its own.
 pub(crate) fn finding(scenario: &Scenario, trajectory: &Trajectory) -> Option<Finding> {
     let rotor = scenario.rotor();
     let small = |sample: &&Sample| rotor.kinetic_energy_underflows(sample.state.omega);

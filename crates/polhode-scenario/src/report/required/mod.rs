@@ -1,4 +1,4 @@
-//! The report of `polhode torque`: what a prescribed motion needs, from motion to torque.
+//! Report of `polhode torque`: inverse dynamics of a prescribed motion.
 
 mod answer;
 mod facts;
@@ -17,7 +17,7 @@ use shaft::ShaftReport;
 /// Significant digits of a number in the text.
 const DIGITS: usize = 6;
 
-/// The torque, the power, the work and the forces that a prescribed motion needs.
+/// Torque, power, work and forces that a prescribed motion needs.
 ///
 /// ```
 /// # use polhode::prelude::*;
@@ -44,23 +44,24 @@ pub struct RequiredReport {
     source: SourceInfo,
     scenario: Scenario,
     start: Required,
-    /// At the times of the run; at the start only without one.
+    /// Results at the times of the run, or at the start only if there is no run.
     samples: Vec<Required>,
-    /// At the times that were asked for.
+    /// Results at the requested times.
     at: Vec<Required>,
-    /// The particles whose forces are asked for.
+    /// Particles whose forces are requested.
     points: Vec<Particle<Body>>,
     shaft: Option<ShaftReport>,
     is_verbose: bool,
 }
 
 impl RequiredReport {
-    /// The report of a scenario, with the torque at more times, s, and the forces on more points: on the
-    /// particles of the body, where it has no other parts, and on these.
+    /// Returns the report of a scenario. `at` contains additional times, s. `points` contains
+    /// additional particles whose forces are reported, after those of a body that consists of
+    /// particles only.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the scenario prescribes no motion, or none at
-    /// one of the times; [`MotionError::NotFinite`] where a formula is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the scenario prescribes no motion, or
+    /// none at one of the times; [`MotionError::NotFinite`] if a formula is not finite.
     pub fn new(
         source: SourceInfo,
         scenario: &Scenario,
@@ -78,7 +79,7 @@ impl RequiredReport {
         let start = needed(&scenario.start().time)?;
         let mut samples = times.iter().map(needed).collect::<Result<Vec<_>, _>>()?;
         for k in 1..samples.len() {
-            // Along a table the quaternion is continuous.
+            // The quaternion is continuous along a table.
             let before = samples[k - 1].state.attitude;
             samples[k].state.attitude = samples[k].state.attitude.continuous_with(before);
         }
@@ -99,51 +100,52 @@ impl RequiredReport {
         Self { is_verbose, ..self }
     }
 
-    /// What the motion needs at the times of the run; at the start only without a run.
+    /// Returns the results at the times of the run, or at the start only if there is no run.
     pub fn samples(&self) -> &[Required] {
         &self.samples
     }
 
-    /// The points whose forces are asked for.
+    /// Returns the particles whose forces are requested.
     pub fn points(&self) -> &[Particle<Body>] {
         &self.points
     }
 
-    /// The scenario that prescribes the motion.
+    /// Returns the scenario that prescribes the motion.
     pub const fn scenario(&self) -> &Scenario {
         &self.scenario
     }
 
-    /// The body and the point that it turns about.
+    /// Returns the body and the point that it turns about.
     pub const fn rotor(&self) -> &Rotor {
         self.scenario.rotor()
     }
 
-    /// One screen for people, and a line for each time that was asked for.
+    /// Returns the text of the report, at most one screen, and a line for each requested time.
     pub fn to_text(&self) -> String {
         text::write(self)
     }
 
-    /// One object with the same keys for every motion.
+    /// Returns the JSON object, with the same keys for every motion.
     pub fn to_json(&self) -> Value {
         Value::Object(fact::object(&facts::KEYS, &facts::of(self)))
     }
 
-    /// The sample with the largest torque; of several the first.
+    /// Returns the sample with the largest torque; the first of several.
     fn largest(&self) -> &Required {
         self.samples
             .iter()
             .fold(&self.start, |most, s| if s.torque.norm() > most.torque.norm() { s } else { most })
     }
 
-    /// The sample that takes or gives the most power.
+    /// Returns the sample with the largest |power|.
     fn most_power(&self) -> &Required {
         self.samples
             .iter()
             .fold(&self.start, |most, s| if s.power.abs() > most.power.abs() { s } else { most })
     }
 
-    /// √⟨Nₖ²⟩ of each component over the time of the run (trapezoids), in body axes and in space.
+    /// Returns √⟨Nₖ²⟩ of each component over the run (trapezoidal rule), N·m, in body axes and in
+    /// space axes.
     fn rms(&self) -> [[f64; 3]; 2] {
         let squares =
             |s: &Required| [s.torque.to_array(), s.torque_space().to_array()].map(|n| n.map(|x| x * x));
@@ -165,27 +167,27 @@ impl RequiredReport {
         }
     }
 
-    /// Size of the terms of N along the run, N·m.
+    /// Returns the size of the terms of N along the run, N·m.
     fn scale(&self) -> f64 {
         self.samples.iter().map(torque_scale).fold(0.0, f64::max)
     }
 
-    /// Size of the terms of N · ω along the run, W.
+    /// Returns the size of the terms of N · ω along the run, W.
     fn power_scale(&self) -> f64 {
         self.scale() * self.samples.iter().map(|s| s.state.omega.norm()).fold(0.0, f64::max)
     }
 
-    /// Largest kinetic energy along the run, J.
+    /// Returns the largest kinetic energy along the run, J.
     fn energy(&self) -> f64 {
         self.samples.iter().map(|s| s.kinetic_energy).fold(0.0, f64::max)
     }
 
-    /// Largest |L| along the run, kg·m²/s.
+    /// Returns the largest |L| along the run, kg·m²/s.
     fn momentum(&self) -> f64 {
         self.samples.iter().map(|s| s.momentum.norm()).fold(0.0, f64::max)
     }
 
-    /// True if there is more than the start.
+    /// Returns true if there are samples after the start.
     fn is_run(&self) -> bool {
         self.samples.len() > 1
     }

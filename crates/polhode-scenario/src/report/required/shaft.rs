@@ -1,4 +1,4 @@
-//! Bearings, drive and balance of a shaft.
+//! Bearing forces, drive torque and balancing of a shaft.
 
 use polhode::math::{Acceleration, Attitude, Body, Force, Space};
 use polhode::motion::{CorrectionMass, MotionError, MountedShaft, Reactions, Required, Shaft};
@@ -11,24 +11,24 @@ use serde_json::{Value, json};
 use super::DIGITS;
 use crate::report::answer::{self, capitalised};
 
-/// A thrust below this part of the force on a bearing is rounding.
+/// Threshold of the thrust relative to the force on a bearing; a smaller thrust is rounding.
 const NOISE: f64 = 1e-13;
 
-/// The bearings and the balance of a shaft.
+/// Bearing forces and balancing of a shaft.
 #[derive(Clone, Debug)]
 pub(crate) struct ShaftReport {
     mounted: MountedShaft,
     attitude: Attitude,
-    /// Of the unbalance alone, at the start.
+    /// Reactions at the start due to the unbalance alone.
     turning: Reactions,
-    /// Of the weight alone, at the start.
+    /// Reactions at the start due to the weight alone.
     hanging: Reactions,
-    /// Both, at the start.
+    /// Reactions at the start due to both.
     together: Reactions,
-    /// The greatest force on each bearing along the run, N, and when, s.
+    /// Largest force on each bearing along the run, N, and its time, s.
     greatest: [(f64, f64); 2],
     masses: Vec<CorrectionMass>,
-    /// With the masses: the shaft, and what its unbalance leaves at the start.
+    /// Shaft with its correction masses, and the remaining reactions due to unbalance at the start.
     balanced: Option<(Shaft, Reactions)>,
 }
 
@@ -61,7 +61,7 @@ impl ShaftReport {
         })
     }
 
-    /// The unbalance, the largest forces of the bearings, and how it is balanced.
+    /// Describes the unbalance, the largest bearing forces, and the number of correction masses.
     pub(crate) fn answer(&self) -> String {
         let [a, b] = self.greatest.map(|(most, _)| number(most, answer::DIGITS));
         let masses = match self.masses.len() {
@@ -76,7 +76,7 @@ impl ShaftReport {
         format!("{unbalance} unbalance: the bearings carry at most {a} N and {b} N{masses}.")
     }
 
-    /// The keys of `shaft`.
+    /// Returns the facts with the keys of `shaft`.
     pub(crate) fn facts(&self) -> Vec<Fact> {
         let MountedShaft { shaft, rate, acceleration, .. } = &self.mounted;
         let fact =

@@ -31,9 +31,9 @@ pub use tumbler::TumblerReport;
 /// ```
 #[derive(Clone, Debug)]
 pub struct SpinReport {
-    /// Where the body came from; `None` if its moments were given.
+    /// Source of the body; `None` if its moments were given.
     pub source: Option<SourceInfo>,
-    /// What was noticed on the way.
+    /// Findings about the body and its start.
     pub findings: Vec<Finding>,
     motion: FreeMotion,
     states: Vec<Printed>,
@@ -41,21 +41,21 @@ pub struct SpinReport {
 }
 
 impl SpinReport {
-    /// The report of a free motion.
+    /// Returns the report of a free motion.
     pub const fn new(source: Option<SourceInfo>, motion: FreeMotion) -> Self {
         Self { source, findings: Vec::new(), motion, states: Vec::new(), is_verbose: false }
     }
 
-    /// The same with what was noticed on the way.
+    /// Replaces the findings.
     #[must_use]
     pub fn found(self, findings: Vec<Finding>) -> Self {
         Self { findings, ..self }
     }
 
-    /// The same with the states at some times, in their order.
+    /// Adds the states at these times, in their order.
     ///
-    /// q and −q are one attitude: the first has w ≥ 0, and each of the others the sign nearest to the one
-    /// before it.
+    /// q and −q are the same attitude. The first has w ≥ 0; each later one has the sign nearest to
+    /// the previous one.
     ///
     /// # Errors
     /// [`MotionError::BeyondReach`] for a time too far away, [`MotionError::NotFinite`] for a state that is
@@ -80,17 +80,18 @@ impl SpinReport {
         Self { is_verbose, ..self }
     }
 
-    /// One screen for people, and a line for each requested time.
+    /// Returns the text of the report, at most one screen, and a line for each requested time.
     pub fn to_text(&self) -> String {
         text::write(self, None)
     }
 
-    /// The same for a terminal of so many columns, with a picture of ω as wide as that allows.
+    /// Returns the text for a terminal of `columns` columns; the picture of ω fills the width.
     pub fn to_screen(&self, columns: usize) -> String {
         text::write(self, Some(sparkline::fitting(columns)))
     }
 
-    /// One object with the same keys for every motion, `null` where a motion does not have one.
+    /// Returns the JSON object, with the same keys for every motion; `null` where a motion has no
+    /// value.
     pub fn to_json(&self) -> Value {
         Value::Object(fact::object(&facts::KEYS, &facts::of(self, &FreeFacts::of(self.motion))))
     }

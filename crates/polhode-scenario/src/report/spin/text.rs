@@ -1,4 +1,4 @@
-//! The motion on one screen: the answer first, then the facts.
+//! Text of a free motion: the answer first, then the facts.
 
 use polhode::motion::FreeMotion;
 use polhode_document::SourceInfo;
@@ -10,7 +10,8 @@ use super::{SpinReport, facts, states};
 use crate::report::answer;
 use crate::report::free_facts::FreeFacts;
 
-/// The motion, with a picture of ω of so many columns if there is to be one.
+/// Returns the text of the motion, with a picture of ω that is `picture` columns wide if it is
+/// `Some`.
 pub(super) fn write(report: &SpinReport, picture: Option<usize>) -> String {
     let free = FreeFacts::of(report.motion);
     let mut text = head(report.source.as_ref(), "Free motion", &answer::free_motion(&free));

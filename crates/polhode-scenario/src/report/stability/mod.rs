@@ -45,7 +45,7 @@ pub struct StabilityReport {
     momentum: f64,
     /// True if the momentum is that of the start.
     is_of_start: bool,
-    /// Friction inside.
+    /// Friction inside the body, as an energy sink.
     sink: Option<EnergySink>,
     /// Results at each time from which on the wheels keep their momentum, or else at the start.
     judged: Vec<Judged>,

@@ -1,4 +1,4 @@
-//! Search for the equilibrium that is meant, and for torques that prevent one.
+//! Search for the intended equilibrium, and for torques that prevent one.
 
 use polhode::math::{AngularVelocity, Direction, Space};
 use polhode::motion::torque::TorqueModel;
@@ -34,24 +34,25 @@ pub(crate) enum Place {
     Top(Box<SteadyTop>, Option<Box<SteadyTop>>),
     /// The nearest one with the start's ω in space.
     Nearest,
-    /// The nearest one that turns about the vertical, as fast as the start does about it.
+    /// The nearest one that rotates about the vertical at the start's rate about it.
     Vertical,
     /// The nearest one at rest.
     Rest,
 }
 
-/// Why there is no equilibrium.
+/// Reasons why no equilibrium was found.
 #[derive(Clone, Debug)]
 pub(crate) struct Prevented {
     /// Error that ended the search.
     pub error: MotionError,
     /// Names of the torques without which there is one; empty if leaving out any two does not help.
     pub by: Vec<String>,
-    /// The equilibrium of the other torques.
+    /// Equilibrium under the other torques.
     pub of_the_rest: Option<Found>,
 }
 
-/// Finds the oscillations under all torques, or else without one or two of them.
+/// Finds the oscillations under all torques. If there is no equilibrium, leaves out one or two
+/// torques.
 pub(crate) fn search(rotor: &Rotor, torques: &[&Acting], start: State) -> Result<Found, Box<Prevented>> {
     let without = |left_out: &[usize]| {
         let kept = torques.iter().enumerate().filter(|(k, _)| !left_out.contains(k));
@@ -66,7 +67,7 @@ pub(crate) fn search(rotor: &Rotor, torques: &[&Acting], start: State) -> Result
         let name = |k: usize| torques[k].name.clone();
         let (by, of_the_rest) = match rest {
             Some((rest, left_out)) => (left_out.into_iter().map(name).collect(), Some(rest)),
-            // There are no others.
+            // No other torques remain.
             None if torques.len() == 1 => (vec![name(0)], None),
             None => (Vec::new(), None),
         };
@@ -74,9 +75,10 @@ pub(crate) fn search(rotor: &Rotor, torques: &[&Acting], start: State) -> Result
     })
 }
 
-/// Finds the oscillations about the start if it is an equilibrium, else about the one that is meant:
-/// at rest relative to an orbit, the steady motion of a top, or the nearest that turns as the start
-/// does, about the vertical, or not at all.
+/// Finds the oscillations about the start if it is an equilibrium, else about the most likely
+/// intended one. Candidates, in order: at rest relative to an orbit, the steady motion of a top,
+/// and the nearest equilibrium with the start's ω, with its rotation about the vertical, or at
+/// rest.
 fn found(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Result<Found, MotionError> {
     let about = |state: State| SmallOscillations::about(rotor, torques, state);
     let near = |omega: AngularVelocity<Space>| {
@@ -124,7 +126,7 @@ fn found(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Result<Found, 
     near(AngularVelocity::ZERO).map(|oscillations| found(Place::Rest, oscillations))
 }
 
-/// The steady motion of a heavy symmetric top that turns.
+/// Finds the steady motion of a heavy symmetric top that rotates.
 fn top(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Option<Found> {
     let [TorqueModel::Gravity(gravity)] = torques else { return None };
     if start.omega.norm() == 0.0 {
@@ -133,7 +135,7 @@ fn top(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Option<Found> {
     let steady = SteadyTop::with_momenta_of(rotor, gravity, start).ok()?;
     let upright =
         SteadyTop::upright(rotor, gravity, start).ok().filter(|upright| upright.angle != steady.angle);
-    // An axis that starts upright is meant to be so, whether or not it stays.
+    // An axis that starts upright is meant to be upright, even if that motion is unstable.
     let lever = start.attitude * rotor.lever();
     let is_upright = lever.angle_to(-gravity.acceleration) < UPRIGHT;
     let (steady, other) = match upright {
@@ -152,10 +154,10 @@ fn heavy(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Option<HeavyTo
     HeavyTop::of(rotor, gravity, start).ok()
 }
 
-/// An axis nearer to the vertical than this starts upright, rad.
+/// Threshold of the angle between an upright axis and the vertical, rad.
 const UPRIGHT: f64 = 1e-6;
 
-/// Against gravity.
+/// Returns the upward direction, opposite to gravity; `None` without gravity.
 fn vertical(torques: &[TorqueModel]) -> Option<Direction<Space>> {
     torques.iter().find_map(|torque| match torque {
         TorqueModel::Gravity(gravity) => (-gravity.acceleration).direction(),

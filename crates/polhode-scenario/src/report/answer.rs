@@ -1,4 +1,5 @@
-//! The answer to "how does it move": one to three lines, at the head of the text and as the caption of the page.
+//! Answer to the question how the body moves: one to three lines, above the text and as the caption
+//! of the page.
 
 use polhode::motion::channel::{CONTACT, GIMBALS};
 use polhode::motion::contact::ContactState;

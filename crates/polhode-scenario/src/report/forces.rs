@@ -1,8 +1,8 @@
-//! The forces on the particles of a prescribed motion.
+//! Forces on the particles of a prescribed motion.
 
 use polhode::motion::{ParticleForce, Required, Scenario};
 
-/// The force on each particle; empty unless particles are all that the body is made of.
+/// Returns the force on each particle; empty unless the body consists of particles only.
 pub(crate) fn on_particles(scenario: &Scenario, needed: &Required) -> Vec<ParticleForce> {
     if !scenario.is_all_particles() {
         return Vec::new();

@@ -8,7 +8,7 @@ use polhode_document::number::number;
 
 use crate::report::periods::Periods;
 
-/// A free motion, its kind, its periods, and the constants of a symmetric top.
+/// Free motion with its kind, its periods, and the constants of a symmetric top.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FreeFacts {
     pub motion: FreeMotion,

@@ -6,7 +6,8 @@ use polhode_document::number::number;
 use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
 
-/// `12.5 → 8.3 kg, through an exit, with jet damping; d(I ω)/dt + ω × I ω = N − Σ µ ρ × (ω × ρ)`
+/// Describes the change of mass, such as `12.5 → 8.3 kg, through an exit, with jet damping`, and
+/// the law of motion.
 pub(crate) fn in_words(history: &MassHistory, [from, to]: [f64; 2]) -> String {
     /// Equation of motion without loss of mass.
     const KEPT: &str = "d(I ω)/dt + ω × I ω = N";

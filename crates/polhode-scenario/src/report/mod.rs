@@ -1,14 +1,14 @@
-//! Reports on scenarios, for people and for programs.
+//! Reports on scenarios, as text and as JSON.
 //!
-//! - [`MotionReport`]: how the body moves, and the evidence that the numbers are good;
+//! - [`MotionReport`]: motion of the body, with evidence for the accuracy of the numbers;
 //! - [`SpinReport`]: a free motion in closed form, at any time;
-//! - [`StabilityReport`]: which spins and rests are stable;
+//! - [`StabilityReport`]: stability of spins and equilibria;
 //! - [`RequiredReport`]: the torque and the forces that a prescribed motion needs;
-//! - [`explain()`]: the worked solution, step by step, as a [`Document`](polhode_document::Document);
+//! - [`explain()`]: the worked solution by steps, as a [`Document`](polhode_document::Document);
 //! - [`MotionFigures`]: plots, as SVG and PNG;
-//! - [`page()`]: all of it to look at, as one file for a browser.
+//! - [`page()`]: interactive page of a motion, as one file for a browser.
 //!
-//! A report reads no files. What it knows of physics it asks the core.
+//! A report reads no files. The core computes all physics.
 
 mod answer;
 mod balance;
@@ -41,5 +41,5 @@ pub use required::RequiredReport;
 pub use spin::{SpinReport, TumblerReport};
 pub use stability::{GroundStabilityReport, StabilityReport};
 
-/// The version that reports carry.
+/// Version that reports state.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

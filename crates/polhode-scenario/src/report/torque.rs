@@ -1,4 +1,4 @@
-//! Torques as reports show them: one description of each model, from which text, JSON and the page are made.
+//! Torques in reports: one description of each model, the source of text, JSON and page.
 
 use polhode::motion::torque::{
     Attracted, ConstantTorque, Drag, DragLaw, FormulaTorque, Interpolation, MagneticField, Schedule,

@@ -12,10 +12,10 @@ use serde_json::{Value, json};
 
 use crate::report::global_error::{self, known_to};
 
-/// More changes than these fill the screen: JSON has them all.
+/// Maximum number of changes of contact in the text; JSON contains all of them.
 const MOST: usize = 12;
 
-/// `it rolls without slipping on a level plane`
+/// Describes the contact, such as `it rolls without slipping on a level plane`.
 pub(crate) fn how(ground: &GroundContact) -> String {
     let contact = &ground.contact;
     let law = match contact.law.grip() {
@@ -26,7 +26,8 @@ pub(crate) fn how(ground: &GroundContact) -> String {
     format!("{law} {}", place_of(&contact.ground))
 }
 
-/// The surface, the ground and the law, the changes of the contact, and its state at both ends.
+/// Returns facts about the surface, the ground, the contact law, the changes of contact, and the
+/// state at both ends.
 pub(super) fn facts(
     ground: &GroundContact,
     states: Series<'_, ContactState>,
@@ -75,9 +76,9 @@ fn change_json(event: &ContactEvent) -> Value {
     json!({ "time_s": event.time, "change": event.change.name(), "what": event.change.to_string() })
 }
 
-/// State of the contact, of a body whose attitude has an error, rad.
+/// Returns the state of the contact; `error` is the error of the attitude, rad.
 fn state(key: &str, when: &str, s: &ContactState, error: f64, is_shown: bool) -> Vec<Fact> {
-    // A body that rolls moves by its lever times the angle that it turns.
+    // A rolling body moves by its lever times its rotation angle.
     let lever = (s.center - s.contact).norm();
     let vector = |v: [f64; 3], unit| Quantity::Vector(v, unit);
     let fact = |name: &str, label: &str, value: Quantity| {
@@ -113,7 +114,7 @@ fn state(key: &str, when: &str, s: &ContactState, error: f64, is_shown: bool) ->
     ]
 }
 
-/// `ellipsoid, semi-axes (200, 30, 20) mm, centred at (0, 0, 10) mm`
+/// Describes a surface, such as `ellipsoid, semi-axes (200, 30, 20) mm, centred at (0, 0, 10) mm`.
 pub(crate) fn surface(surface: &BodySurface) -> String {
     let center = surface.center().to_array();
     let shape = match *surface.shape() {
@@ -134,7 +135,7 @@ pub(crate) fn surface(surface: &BodySurface) -> String {
     format!("{shape}, centred at {} in the body", place(center))
 }
 
-/// `on a level plane`
+/// Describes the place, such as `on a level plane`.
 fn place_of(ground: &Ground) -> String {
     let in_or_on = match ground.shape() {
         GroundShape::Sphere { side: GroundSide::Inside, .. }
@@ -144,7 +145,7 @@ fn place_of(ground: &Ground) -> String {
     format!("{in_or_on} {}", form(ground))
 }
 
-/// `a level plane that turns at 3 rad/s`
+/// Describes the ground, such as `a level plane that turns at 3 rad/s`.
 pub(crate) fn form(ground: &Ground) -> String {
     let axis = triple(ground.axis().to_array(), 6);
     let inside = |side: GroundSide| if side == GroundSide::Inside { "the inside" } else { "the outside" };

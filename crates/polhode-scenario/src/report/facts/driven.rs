@@ -36,12 +36,12 @@ pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
     facts
 }
 
-/// Momentum and speed at both ends; `None` of a wheel whose speed is held.
+/// Returns the momentum and speed of a wheel at both ends; `None` for a wheel with a held speed.
 fn at_both_ends(known: &Known<'_>, wheel: &Wheel, name: &str) -> Option<[Fact; 2]> {
     let ends = known.ends()?.map(|sample| sample.state);
     let [Some(slow), Some(fast)] = ends.map(|s| wheel.speed_at(s.time, s.omega)) else { return None };
     let [least, most] = ends.map(|s| number(wheel.momentum_at(s.time), 6));
-    // Its speed at the end goes with ω of the body.
+    // The speed at the end depends on ω of the body, so it has the error of ω.
     let error = global_error::of_omega(known.trajectory);
     let rpm = |speed: f64| 60.0 * speed / std::f64::consts::TAU;
     let end = match has_digits(fast.abs(), error) {
@@ -54,7 +54,7 @@ fn at_both_ends(known: &Known<'_>, wheel: &Wheel, name: &str) -> Option<[Fact; 2
     ])
 }
 
-/// A torque with its name, and whether it is on at the start.
+/// Returns a torque with its name, and true if it is on at the start.
 fn torque_json(scenario: &Scenario, k: usize) -> Value {
     let mut object = scenario.torques().get(k).map(|model| Description::of(model).json()).unwrap_or_default();
     object.insert("name".to_owned(), scenario.torque_names().get(k).cloned().flatten().into());
@@ -62,7 +62,7 @@ fn torque_json(scenario: &Scenario, k: usize) -> Value {
     Value::Object(object)
 }
 
-/// A wheel with its momentum and its speed at the start and at the end.
+/// Returns a wheel with its momentum and speed at the start and at the end.
 fn wheel_json(known: &Known<'_>, scenario: &Scenario, k: usize, wheel: &Wheel) -> Value {
     let start = known.trajectory.start().state;
     let end = known.ends().map(|[_, last]| last.state);

@@ -8,7 +8,7 @@ use serde_json::json;
 use super::Known;
 use crate::report::balance::energy_balance;
 
-/// The keys of `drift` and `error`.
+/// Returns the facts with the keys of `drift` and `error`.
 pub(super) fn facts(known: &Known<'_>) -> Vec<Fact> {
     let balance = energy_balance(known.trajectory);
     let energy = Quantity::Error(known.trajectory.energy_drift(), "");
@@ -19,7 +19,8 @@ pub(super) fn facts(known: &Known<'_>) -> Vec<Fact> {
     facts
 }
 
-/// Relative changes of conserved quantities. T and |L| are evidence for a free motion only.
+/// Returns the relative changes of conserved quantities. T and |L| are evidence for a free motion
+/// only.
 fn drift(known: &Known<'_>, is_shown: bool) -> Vec<Fact> {
     let Some(drift) = known.drift else { return Vec::new() };
     let note = match known.trajectory.solution() {
@@ -42,7 +43,7 @@ fn drift(known: &Known<'_>, is_shown: bool) -> Vec<Fact> {
     ]
 }
 
-/// The estimated error at the end, and what the rounding of the inputs does to the end.
+/// Returns the estimated error at the end, and the effect of input rounding on the end.
 fn error(known: &Known<'_>) -> Vec<Fact> {
     let Some(estimate) = known.trajectory.error() else { return Vec::new() };
     let [end, inputs] = [estimate.end(), estimate.inputs_end()];
@@ -65,7 +66,7 @@ fn error(known: &Known<'_>) -> Vec<Fact> {
     ]
 }
 
-/// The keys of `run`: the method and its steps.
+/// Returns the facts with the keys of `run`: the method and its steps.
 pub(super) fn solver(known: &Known<'_>) -> Vec<Fact> {
     let solution = known.trajectory.solution();
     let method = known.scenario.and_then(|scenario| scenario.run()).map(|run| run.method);

@@ -1,4 +1,4 @@
-//! A free motion: its kind, its periods, its cones, Poinsot's picture of it.
+//! Facts about a free motion: kind, periods, cones, and Poinsot's construction.
 
 use std::f64::consts::TAU;
 
@@ -17,7 +17,8 @@ use super::Known;
 use crate::report::free_facts::FreeFacts;
 use crate::report::periods::Periods;
 
-/// The keys of `motion`; for a motion that is not free, `null` where only a free motion has them.
+/// Returns the facts with the keys of `motion`. Keys of free motions are `null` for any other
+/// motion.
 pub(super) fn facts(known: &Known<'_>) -> Vec<Fact> {
     let free = known.free();
     let is_rotor = known
@@ -41,7 +42,7 @@ pub(super) fn facts(known: &Known<'_>) -> Vec<Fact> {
     facts
 }
 
-/// Kind and periods of a free motion; of a motion that is not free, the keys.
+/// Returns the kind and periods of a free motion; for other motions the keys only.
 pub(crate) fn periods(free: Option<&FreeFacts>) -> Vec<Fact> {
     let number = |of: fn(&FreeRegime) -> Option<f64>| free.and_then(|free| of(&free.regime));
     let period = |of: fn(&Periods) -> Option<f64>| free.and_then(|free| of(&free.periods));
@@ -69,7 +70,7 @@ pub(crate) fn periods(free: Option<&FreeFacts>) -> Vec<Fact> {
     ]
 }
 
-/// T, |L| and L, the first two with their labels and notes.
+/// Returns T, |L| and L, the first two with their labels and notes.
 pub(crate) fn constants(
     energy: (&str, &str),
     joule: f64,
@@ -84,8 +85,8 @@ pub(crate) fn constants(
     ]
 }
 
-/// Angle between L and the axis that it circles, and the precession of the other extreme axis.
-/// A symmetric top has its angle with its cones.
+/// Returns the angle between L and the axis that it circles, and the precession of the other
+/// extreme axis. For a symmetric top, `cones` states the angle.
 pub(crate) fn nutation(free: &FreeFacts) -> Vec<Fact> {
     let nutates = !matches!(free.regime.regime, Regime::Permanent(_) | Regime::AtRest) && free.top.is_none();
     let range = Quantity::Angles(free.motion.nutation_range());
@@ -104,8 +105,8 @@ fn kind(regime: Regime) -> Quantity {
     Quantity::Word(regime.name(), regime.description().to_owned())
 }
 
-/// The precession in the convention for the axis that L does not circle, of a body with three different
-/// moments.
+/// Returns the precession in the convention of the axis that L does not circle; `None` unless the
+/// three moments differ.
 fn other_convention(motion: &FreeMotion) -> Option<Fact> {
     let (axis, name, convention) = match motion.circles_least() {
         true => (3, "short", AxisConvention::ShortAxis),
@@ -120,7 +121,7 @@ fn other_convention(motion: &FreeMotion) -> Option<Fact> {
     )
 }
 
-/// The cones of a symmetric top, and how well L, ω and the axis keep to one plane.
+/// Returns the cones of a symmetric top, and the deviation of L, ω and the axis from one plane.
 pub(super) fn cones(known: &Known<'_>) -> Vec<Fact> {
     const KEY: &str = "motion.symmetric_top";
     let Some(top) = known.top.as_ref() else { return Vec::new() };
@@ -130,7 +131,7 @@ pub(super) fn cones(known: &Known<'_>) -> Vec<Fact> {
     symmetric_top(KEY, &top.motion, &top.cones).into_iter().chain([coplanarity.note(note).detail()]).collect()
 }
 
-/// Axis, moments, rates and cones of a symmetric top, under a key.
+/// Returns the axis, moments, rates and cones of a symmetric top, under a key.
 pub(crate) fn symmetric_top(key: &str, top: &SymmetricTop, cones: &Cones) -> Vec<Fact> {
     let [axial, transverse] = top.moments();
     let is_open = cones.body_half_angle >= CLOSED;
@@ -169,9 +170,10 @@ pub(crate) fn symmetric_top(key: &str, top: &SymmetricTop, cones: &Cones) -> Vec
     ]
 }
 
-/// Poinsot's ellipsoid on its plane, and the turn about L in a period.
+/// Returns the geometry of the herpolhode on the invariable plane, and the rotation about L in a
+/// period.
 pub(crate) fn picture(motion: &FreeMotion) -> Vec<Fact> {
-    /// A piece too short to have many points.
+    /// Length of the curve in periods, so short that it has few points.
     const PIECE: f64 = 1e-9;
     const COARSE: f64 = 0.1;
     let mut facts = Vec::new();
@@ -200,7 +202,7 @@ pub(crate) fn picture(motion: &FreeMotion) -> Vec<Fact> {
     facts.into_iter().map(Fact::detail).collect()
 }
 
-/// The spin in which friction inside the body would end.
+/// Returns the spin in which friction inside the body would end.
 pub(crate) fn dissipation(motion: &FreeMotion) -> Vec<Fact> {
     let Some(end) = LeastEnergySpin::of(motion) else { return Vec::new() };
     let axis = match motion.principal().symmetry() {

@@ -13,7 +13,7 @@ use crate::report::global_error::{self, known_to};
 /// Names of the axes.
 const NAMES: [&str; 3] = ["outer", "inner", "rotor"];
 
-/// `it hangs in two gimbals on a base that turns`
+/// Describes the mechanism, such as `it hangs in two gimbals on a base that turns`.
 pub(crate) fn how(gimbals: &Gimbals) -> String {
     let base = if turning(gimbals) == 0.0 { "at rest" } else { "that turns" };
     format!("it hangs in two gimbals on a base {base}")
@@ -23,7 +23,8 @@ fn turning(gimbals: &Gimbals) -> f64 {
     gimbals.base().angular_velocity().norm()
 }
 
-/// The base, the axes and how they are held, the gimbals, and their state at both ends.
+/// Returns facts about the base, the axes and their mounting, the gimbals, and the state at both
+/// ends.
 pub(super) fn facts(
     mechanism: Mechanism<'_>,
     states: Series<'_, GimbalState>,
@@ -58,7 +59,8 @@ pub(super) fn facts(
     facts
 }
 
-/// Axes at both ends, and the works; the attitude at the end has an error, rad.
+/// Returns the axes at both ends, and the works; `error` is the error of the attitude at the end,
+/// rad.
 fn ends(first: &GimbalState, last: &GimbalState, error: f64) -> Vec<Fact> {
     let axis = |(k, name): (usize, &str)| {
         let holding = match last.holding[k] {
@@ -86,7 +88,7 @@ fn gimbal_json(gimbal: &Gimbal) -> Value {
     json!({ "inertia_about_crossing": matrix(gimbal.inertia()), "moment_kg_m": numbers(&gimbal.moment()) })
 }
 
-/// `at 30° and 2 rad/s, damped with 0.1 N·m·s/rad`
+/// Describes an axis, such as `at 30° and 2 rad/s, damped with 0.1 N·m·s/rad`.
 fn held(axis: &Axis) -> String {
     let start = angle(axis.angle());
     let mut text = match axis.hold() {

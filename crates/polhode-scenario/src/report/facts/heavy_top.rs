@@ -8,7 +8,8 @@ use polhode_document::fact::{Fact, Quantity};
 use polhode_document::number::number;
 use polhode_document::unit::DIGITS;
 
-/// The top that a scenario's body is, if gravity alone acts on it and it is symmetric about its arm.
+/// Returns the top of a scenario; `None` unless gravity alone acts and the body is symmetric about
+/// its arm.
 pub(crate) fn of(scenario: &Scenario, start: State) -> Option<HeavyTop> {
     let [TorqueModel::Gravity(gravity)] = scenario.torques() else { return None };
     if scenario.prescribed().is_some() || scenario.suspension().is_some() || scenario.history().is_some() {
@@ -65,14 +66,15 @@ pub(super) fn facts(top: &HeavyTop) -> Vec<Fact> {
     ]
 }
 
-/// Mean time in which the axis goes round the vertical, s; `None` where it passes through it: there
-/// its azimuth jumps by half a turn, which the mean precession does not count.
+/// Returns the mean time for one revolution of the axis about the vertical, s. `None` if the axis
+/// passes through the vertical: there its azimuth jumps by half a turn, which the mean precession
+/// does not count.
 pub(crate) fn time_round(top: &HeavyTop) -> Option<f64> {
     let goes_round = !matches!(top.path(), TopPath::Planar | TopPath::ThroughVertical);
     top.mean_precession().filter(|rate| goes_round && *rate != 0.0).map(|rate| TAU / rate.abs())
 }
 
-/// The angle in the middle of the nutation, rad.
+/// Returns the angle in the middle of the nutation, rad.
 fn middle(top: &HeavyTop) -> f64 {
     let [highest, lowest] = top.nutation_bounds();
     0.5 * (highest + lowest)

@@ -34,14 +34,15 @@ pub(crate) struct Known<'a> {
     pub is_free: bool,
     /// Constants of a free symmetric top.
     pub top: Option<Top>,
-    /// `None` for a prescribed motion, where nothing is solved.
+    /// Drift of conserved quantities; `None` for a prescribed motion, for which no equation is
+    /// solved.
     pub drift: Option<Drift>,
     pub needed: Option<Needed>,
     pub hanging: Option<(Pendulum, Swing)>,
     pub heavy_top: Option<HeavyTop>,
 }
 
-/// A free symmetric top, its cones, and the largest departure of L, ω and the axis from one plane.
+/// Free symmetric top, its cones, and the largest deviation of L, ω and the axis from one plane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Top {
     pub motion: SymmetricTop,
@@ -53,7 +54,7 @@ pub(crate) struct Top {
 #[derive(Clone, Debug)]
 pub(crate) struct Needed {
     pub at_start: Required,
-    /// The sample with the largest torque.
+    /// Sample with the largest torque.
     pub largest: Option<Sample>,
     /// Force on each particle at the start; empty unless the body consists of particles only.
     pub forces: Vec<ParticleForce>,
@@ -121,13 +122,13 @@ impl<'a> Known<'a> {
         if self.rotor.as_ref().is_some_and(|rotor| rotor.is_pivoted()) { "pivot" } else { "centre of mass" }
     }
 
-    /// First and last sample; `None` without samples.
+    /// Returns the first and last sample; `None` without samples.
     pub(crate) fn ends(&self) -> Option<[&'a Sample; 2]> {
         let samples = self.trajectory.samples();
         Some([samples.first()?, samples.last()?])
     }
 
-    /// Time of the last sample, else of the start, s.
+    /// Returns the time of the last sample, or else of the start, s.
     pub(crate) fn end_time(&self) -> f64 {
         self.ends().map_or(self.start.time, |[_, last]| last.state.time)
     }

@@ -1,8 +1,9 @@
-//! Facts about a motion, as one list: text, `summary.json` and the rows of the page are made from it.
+//! Facts about a motion in one list, which is the source of the text, `summary.json` and the rows
+//! of the page.
 //!
-//! A file states the facts of one section: keys in the JSON, names for people, values. Lists in the
-//! JSON, and parts whose keys depend on a kind (torques, wheels, events, surfaces), are raw JSON
-//! facts: paths would not be shorter.
+//! Each file states the facts of one section: JSON keys, labels and values. JSON lists are raw JSON
+//! facts, because paths would not be shorter. So are parts whose keys depend on a kind (torques,
+//! wheels, events, surfaces).
 
 mod contact;
 mod driven;
@@ -32,7 +33,7 @@ use polhode_document::fact::{Fact, Facts};
 
 use crate::report::free_facts::FreeFacts;
 
-/// Facts about a motion in sections, in the order of the screen.
+/// Returns the facts about a motion in sections, in the order of the text.
 pub(crate) fn of(known: &Known<'_>) -> Vec<Facts> {
     let section = |title: &str, facts: Vec<Fact>| Facts::new(title, facts);
     let mut sections = vec![
@@ -59,7 +60,7 @@ pub(crate) fn of(known: &Known<'_>) -> Vec<Facts> {
     sections
 }
 
-/// Details for people; the JSON of a scenario's motion is without them.
+/// Returns details for the text only; they are not in the JSON of a scenario's motion.
 fn picture(free: &FreeFacts) -> Vec<Fact> {
     let facts = free::picture(&free.motion).into_iter().chain(free::dissipation(&free.motion));
     facts.map(|fact| fact.without_key().detail()).collect()

@@ -1,4 +1,4 @@
-//! The motion: its time, its kind, its state and energy at both ends.
+//! Facts about the motion: its time, its kind, its state and energy at both ends.
 
 use polhode::motion::channel::ENERGY;
 use polhode::motion::{Mechanism, MethodReason, Sample, Scenario, Solution, State, StateError};
@@ -28,7 +28,7 @@ pub(super) fn facts(known: &Known<'_>) -> Vec<Fact> {
     facts
 }
 
-/// `closed form`, `integrated by the Taylor series`
+/// Describes the method, such as `closed form` or `integrated by the Taylor series`.
 pub(crate) fn how(known: &Known<'_>) -> String {
     match known.trajectory.solution() {
         Solution::ClosedForm(_) => "closed form".to_owned(),
@@ -38,7 +38,7 @@ pub(crate) fn how(known: &Known<'_>) -> String {
     }
 }
 
-/// The point that L, T, N and the tensor of the motion are about.
+/// Returns the reference point of L, T, N and the tensor of the motion.
 fn turns_about(known: &Known<'_>) -> Vec<Fact> {
     let (Some(rotor), Some(scenario)) = (&known.rotor, known.scenario) else { return Vec::new() };
     let about = json!({
@@ -50,7 +50,7 @@ fn turns_about(known: &Known<'_>) -> Vec<Fact> {
     vec![Fact::data("turns_about", about)]
 }
 
-/// State at the start and at the end.
+/// Returns the state at the start and at the end.
 fn ends(known: &Known<'_>) -> Vec<Fact> {
     let none = StateError { attitude: 0.0, omega: 0.0 };
     let mut facts = state("start", " at the start", known.scenario, &known.start, none);
@@ -67,7 +67,7 @@ fn ends(known: &Known<'_>) -> Vec<Fact> {
     facts
 }
 
-/// State, momentum and torque of a sample.
+/// Returns the state, momentum and torque of a sample.
 fn sample(
     key: &str,
     when: &str,
@@ -108,8 +108,7 @@ fn state(key: &str, when: &str, scenario: Option<&Scenario>, state: &State, erro
     ]
 }
 
-/// A state that was requested, with its own section for people and its part of the list `at` for
-/// programs.
+/// Returns a requested state: a section of the text, and an element of the JSON list `at`.
 pub(crate) fn state_at(known: &Known<'_>, at: &Sample) -> Vec<Fact> {
     let error = global_error::at(known.trajectory, at.state.time);
     let mut facts = sample("at", "", known.scenario, at, error);
@@ -121,13 +120,14 @@ pub(crate) fn state_at(known: &Known<'_>, at: &Sample) -> Vec<Fact> {
     facts
 }
 
-/// Energies at both ends; with those of the centre of mass on the ground, with springs in gimbals.
+/// Returns the energies at both ends. On the ground they include the centre of mass, in gimbals the
+/// springs.
 fn energy(known: &Known<'_>) -> Vec<Fact> {
     let energy = known.trajectory.channel(ENERGY);
     let (first, last) = (energy.and_then(|energy| energy.first()), energy.and_then(|energy| energy.last()));
     let mechanism = known.scenario.map_or(Mechanism::Rotor, Scenario::mechanism);
     let is_rotor = mechanism == Mechanism::Rotor;
-    // T goes with the square of ω; T + U changes by the work, so U has the error of T.
+    // T is proportional to ω²; T + U changes by the work, so U has the error of T.
     let error = known.trajectory.error().map_or(0.0, |estimate| 2.0 * estimate.end().omega);
     let acts = !known.is_free && known.trajectory.samples().len() > 1;
     let fact = |key: &str, label: &str, joule: Option<f64>| {

@@ -1,4 +1,4 @@
-//! The orbit of a body, and where its directions point.
+//! Facts about the orbit of a body, and the pointing of its directions.
 
 use std::f64::consts::TAU;
 
@@ -14,8 +14,8 @@ use serde_json::{Map, Value, json};
 use super::Known;
 use crate::report::global_error::{self, known_to};
 
-/// The orbit, and each of the angles that are of interest: of the attitude at the end the digits that
-/// are right.
+/// Returns the orbit and each requested angle; at the end with the correct digits of the attitude
+/// only.
 pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
     let samples = known.trajectory.samples();
     let error = global_error::of_attitude(known.trajectory);
@@ -64,7 +64,7 @@ fn orbit_facts(orbit: &Orbit) -> Vec<Fact> {
     ]
 }
 
-/// An angle at the start, at the end and where it is largest.
+/// Returns an angle at the start, at the end and at its maximum.
 fn pointing_json(pointing: &Pointing, samples: &[Sample]) -> Value {
     let angles = Angles::of(pointing, samples);
     let space = match pointing.reference() {
@@ -82,7 +82,7 @@ fn pointing_json(pointing: &Pointing, samples: &[Sample]) -> Value {
     })
 }
 
-/// An attitude in every convention; on an orbit that relative to its axes too.
+/// Returns an attitude in every convention; on an orbit also relative to the orbital axes.
 pub(super) fn attitude(scenario: &Scenario, state: &State) -> Value {
     let of = |attitude: polhode::math::Attitude| {
         let [w, x, y, z] = attitude.canonical_quaternion();
@@ -104,7 +104,7 @@ pub(super) fn attitude(scenario: &Scenario, state: &State) -> Value {
     Value::Object(object)
 }
 
-/// Roll, pitch and yaw in the orbit's axes, in degrees; `None` without an orbit.
+/// Returns roll, pitch and yaw relative to the orbital axes, in degrees; `None` without an orbit.
 pub(super) fn angles(scenario: &Scenario, state: &State) -> Option<Quantity> {
     let rounded = |angles: [f64; 3]| angles.map(|angle| round(angle * 360.0 / TAU));
     scenario.orbit().map(|orbit| Quantity::Vector(rounded(on_orbit(orbit, state)), "°"))
@@ -114,7 +114,8 @@ fn on_orbit(orbit: &Orbit, state: &State) -> [f64; 3] {
     (orbit.local_axes(state.time).inverse() * state.attitude).roll_pitch_yaw()
 }
 
-/// Rounds to a millionth of a degree: less is rounding of what turns with the orbit.
+/// Rounds to a millionth of a degree. Smaller differences are rounding of the rotation with the
+/// orbit.
 fn round(degrees: f64) -> f64 {
     (degrees * 1e6).round() / 1e6
 }
@@ -130,18 +131,18 @@ pub(crate) fn to(pointing: &Pointing) -> String {
     }
 }
 
-/// An angle along a motion, rad.
+/// Angle along a motion, rad.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Angles {
     start: f64,
     end: f64,
     pub largest: f64,
-    /// When it is largest, s.
+    /// Time of the maximum, s.
     pub time: f64,
 }
 
 impl Angles {
-    /// `None` without samples.
+    /// Evaluates the angle at the samples; `None` without samples.
     pub(crate) fn of(pointing: &Pointing, samples: &[Sample]) -> Option<Self> {
         let angle = |sample: &Sample| pointing.angle(&sample.state);
         let (first, last) = (samples.first()?, samples.last()?);

@@ -1,4 +1,4 @@
-//! A body hung on an axis: its small and its real swing.
+//! Facts about a body suspended from an axis: its small oscillation and its actual swing.
 
 use polhode::motion::{Pendulum, Swing};
 use polhode_document::fact::{Fact, Quantity};

@@ -1,4 +1,4 @@
-//! The torque and the forces that a prescribed motion needs.
+//! Facts about the torque and the forces that a prescribed motion needs.
 
 use polhode::math::{Attitude, Body, Torque};
 use polhode::motion::{ParticleForce, Required};
@@ -12,7 +12,7 @@ use super::known::Needed;
 /// Significant digits of a number in the text.
 const DIGITS: usize = 6;
 
-/// Forces on more particles than this fill the screen: JSON has them all.
+/// Maximum number of particles whose forces are in the text; JSON contains all of them.
 const MOST_PARTICLES: usize = 8;
 
 pub(super) fn facts(needed: &Needed) -> Vec<Fact> {
@@ -35,7 +35,8 @@ pub(super) fn facts(needed: &Needed) -> Vec<Fact> {
     facts
 }
 
-/// N in body axes with its size, and in space axes; rounding of `scale`, N·m, is shown as 0.
+/// Returns N in body axes with its magnitude, and in space axes; rounding of `scale`, N·m, is shown
+/// as 0.
 pub(crate) fn torque(
     key: &str,
     label: &str,
@@ -54,14 +55,14 @@ pub(crate) fn torque(
     .map(|fact| fact.beside(scale).digits(DIGITS))
 }
 
-/// N · ω; `scale` as for the torque.
+/// Returns N · ω; `scale` as for the torque.
 pub(crate) fn power(key: &str, label: &str, needed: &Required, scale: f64) -> Fact {
     Fact::new(format!("{key}.power_w"), label, Quantity::Number(needed.power, "W"))
         .beside(scale * needed.state.omega.norm())
         .digits(DIGITS)
 }
 
-/// Forces on the first particles, each with what it acts on.
+/// Returns the forces on the first particles, each with the name of the particle.
 pub(crate) fn forces(forces: impl ExactSizeIterator<Item = (ParticleForce, String)>) -> Vec<Fact> {
     let count = forces.len();
     let mut facts: Vec<Fact> = forces.take(MOST_PARTICLES).enumerate().map(force).collect();
@@ -79,7 +80,7 @@ fn force((k, (f, on)): (usize, (ParticleForce, String))) -> Fact {
         .note(format!("{along} along its arm, {across} across; body axes, at the start{on}"))
 }
 
-/// The force on a particle, its parts and its torque.
+/// Returns the force on a particle, its components and its torque.
 pub(crate) fn force_json(f: &ParticleForce) -> Map<String, Value> {
     let parts: [(&str, Value); 4] = [
         ("force_body_n", vector(f.force)),

@@ -1,4 +1,4 @@
-//! The report of `polhode simulate`: how a body moves, and how good the numbers are.
+//! Report of `polhode simulate`: the motion of a body, and the accuracy of the numbers.
 
 mod text;
 mod underflow;
@@ -13,7 +13,7 @@ use serde_json::{Map, Value};
 use crate::report::VERSION;
 use crate::report::facts::{self, Known, state_at};
 
-/// Keys of `summary.json` after those of the body: `null` where a motion has no such thing.
+/// Keys of `summary.json` after those of the body; `null` where a motion has no value.
 const KEYS: [&str; 23] = [
     "complete",
     "end",
@@ -40,7 +40,7 @@ const KEYS: [&str; 23] = [
     "findings",
 ];
 
-/// A motion, ready to be read.
+/// Report on the motion of a scenario.
 ///
 /// ```
 /// use polhode::prelude::*;

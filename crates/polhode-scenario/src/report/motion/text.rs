@@ -25,7 +25,7 @@ pub(crate) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     plain_spaces(&(text + &finding::to_text(&report.findings())))
 }
 
-/// `T-handle in free fall   0 … 20 s, 2,001 samples, closed form`
+/// Returns the heading, such as `T-handle in free fall   0 … 20 s, 2,001 samples, closed form`.
 fn heading(report: &MotionReport<'_>, known: &Known<'_>) -> String {
     let title = printable(report.scenario.title().unwrap_or(&report.source.path));
     let how = solved_by(known);
@@ -36,7 +36,7 @@ fn heading(report: &MotionReport<'_>, known: &Known<'_>) -> String {
     format!("{title}   {from} … {to}, {} {noun}, {how}", count(samples as u64))
 }
 
-/// The component of ω along a principal axis that varies most.
+/// Returns the curve of the component of ω along a principal axis that varies most.
 fn curve(known: &Known<'_>, columns: usize) -> String {
     let samples = known.trajectory.samples();
     let to_principal = known.principal.rotation().inverse();

@@ -52,7 +52,8 @@ impl Constant {
         (spread < SPREAD).then_some(Self::Value(0.5 * (least + greatest), spread))
     }
 
-    /// `T = 3.73784 J, constant to 6.8×10⁻¹⁷`; of samples that may miss an oscillation no more than what they are.
+    /// Returns a statement such as `T = 3.73784 J, constant to 6.8×10⁻¹⁷`. If the samples may miss
+    /// an oscillation, it refers to the samples only.
     pub(crate) fn said(self, name: &str, unit: &str, is_sampled: bool) -> String {
         let samples = if is_sampled { " at all samples" } else { "" };
         match self {

@@ -1,11 +1,11 @@
-//! The answer to "which torque does this motion need".
+//! Answer to the question of the required torque.
 
 use polhode_document::number::{number, tidy_beside};
 
 use super::RequiredReport;
 use crate::report::answer::{DIGITS, torque_needed};
 
-/// Torque; power and work; of a shaft, its bearings.
+/// Returns the torque, the power and work, and the bearing forces of a shaft.
 pub(super) fn lines(report: &RequiredReport) -> Vec<String> {
     let (first, largest, scale) = (report.first(), report.largest(), report.scale());
     let run = report.is_run().then(|| [largest.torque.norm(), largest.state.time]);

@@ -1,4 +1,5 @@
-//! Facts about the torque that a motion needs: those that `simulate` has too are shared with it.
+//! Facts about the torque that a motion needs; facts that `simulate` also states are shared with
+//! it.
 
 use polhode::body::Particle;
 use polhode::math::Body;
@@ -31,10 +32,10 @@ pub(super) const KEYS: [&str; 15] = [
     "findings",
 ];
 
-/// A power below this part of its terms is rounding.
+/// Threshold of the power relative to its terms; a smaller power is rounding.
 const NOISE: f64 = 1e-13;
 
-/// Facts in sections, in the order of the screen.
+/// Returns the facts in sections, in the order of the text.
 pub(super) fn of(report: &RequiredReport) -> Vec<Facts> {
     let section = |title: &str, facts: Vec<Fact>| {
         Facts::new(title, facts.into_iter().map(|fact| fact.digits(DIGITS)).collect())
@@ -55,7 +56,7 @@ pub(super) fn of(report: &RequiredReport) -> Vec<Facts> {
     ]
 }
 
-/// The point that N, L and T are about.
+/// Returns the reference point of N, L and T.
 fn about(report: &RequiredReport) -> Vec<Fact> {
     let point = report.rotor().point().to_array();
     let (word, what) = match report.scenario.pivot() {
@@ -70,12 +71,12 @@ fn about(report: &RequiredReport) -> Vec<Fact> {
     ]
 }
 
-/// State of a sample and what it needs.
+/// Returns the state of a sample with its torque and forces.
 fn state(key: &str, s: &Required, report: &RequiredReport) -> Vec<Fact> {
     let scale = report.scale();
     let path = |name: &str| format!("{key}.{name}");
     let data = |name: &str, value: Quantity| Fact::data(path(name), value);
-    // The motion at another time than the start is of less interest.
+    // States at times other than the start are details.
     let fact = |name: &str, label: &str, value| {
         let fact = Fact::new(path(name), label, value);
         if key == "start" { fact } else { fact.detail() }
@@ -121,7 +122,7 @@ fn force(point: &Particle<Body>, s: &Required, report: &RequiredReport) -> Value
     Value::Object(json)
 }
 
-/// Largest power, means and integrals.
+/// Returns the largest power, means and integrals.
 fn run(report: &RequiredReport) -> Vec<Fact> {
     let ([body, space], most, last) = (report.rms(), report.most_power(), report.last());
     let (scale, to_the_end) = (report.scale(), format!("up to t = {} s", number(last.state.time, DIGITS)));
@@ -144,7 +145,7 @@ fn run(report: &RequiredReport) -> Vec<Fact> {
     facts.into_iter().map(|fact| fact.shown_if(report.is_run())).collect()
 }
 
-/// Forces on the particles of the body and on the requested points.
+/// Returns the forces on the particles of the body and on the requested points.
 fn forces_at_start(report: &RequiredReport) -> Vec<Fact> {
     let force = |point: &Particle<Body>| {
         let (mass, place) = (unit::mass(point.mass()), unit::place(point.position().to_array()));
@@ -153,7 +154,7 @@ fn forces_at_start(report: &RequiredReport) -> Vec<Fact> {
     forces(report.points.iter().map(force))
 }
 
-/// Version, source, findings, and states at the requested times.
+/// Returns the version, source, findings, and states at the requested times.
 fn origin(report: &RequiredReport) -> Vec<Fact> {
     let at = |s| object(&[], &[Facts::new("", state("at", s, report))]).remove("at");
     vec![

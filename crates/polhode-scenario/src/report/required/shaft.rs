@@ -118,7 +118,8 @@ impl ShaftReport {
         })
     }
 
-    /// Forces of a bearing on the shaft: of the unbalance, with the weight, and the largest.
+    /// Returns the forces of a bearing on the shaft: due to the unbalance, with the weight, and the
+    /// largest.
     fn forces(&self, k: usize) -> [Fact; 3] {
         let (turning, (most, when)) = (self.turning.bearings[k], self.greatest[k]);
         let all = self.attitude * self.together.bearings[k];
@@ -140,7 +141,7 @@ impl ShaftReport {
         ]
     }
 
-    /// Torque and force along the axis, at the start.
+    /// Returns the torque and force along the axis, at the start.
     fn drive(&self) -> [Fact; 2] {
         let Reactions { torque, thrust, bearings } = &self.together;
         let [turning, weight] = [&self.turning, &self.hanging].map(|held| number(held.torque, DIGITS));
@@ -154,7 +155,7 @@ impl ShaftReport {
         ]
     }
 
-    /// Correction masses, and the residual unbalance with them.
+    /// Returns the correction masses, and the residual unbalance with them.
     fn balance(&self) -> Vec<Fact> {
         let shaft = &self.mounted.shaft;
         let mass = |m: &CorrectionMass| {
@@ -196,7 +197,7 @@ impl ShaftReport {
         facts
     }
 
-    /// Size of the forces of the unbalance, N.
+    /// Returns the size of the forces due to the unbalance, N.
     fn scale(&self) -> f64 {
         self.turning.bearings.iter().map(|f| f.norm()).fold(0.0, f64::max)
     }

@@ -1,4 +1,4 @@
-//! The report as text: the answer first, then the facts.
+//! Report as text: the answer first, then the facts.
 
 use polhode::motion::Required;
 use polhode_document::finding;
@@ -28,7 +28,7 @@ fn heading(report: &RequiredReport) -> String {
     format!("{}   {what}, prescribed motion", printable(title))
 }
 
-/// The requested times: every number reads back bit for bit.
+/// Returns the requested times with all digits, so that each number reads back bit for bit.
 fn at(report: &RequiredReport) -> String {
     if report.at.is_empty() {
         return String::new();

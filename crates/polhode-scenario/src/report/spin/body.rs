@@ -1,4 +1,4 @@
-//! Principal moments of the body, their axes, and whether they are physical.
+//! Principal moments of the body, their axes, and the check that they are physical.
 
 use polhode::body::{InertiaTensor, PrincipalFrame, Symmetry};
 use polhode::math::{Body, Direction};
@@ -7,18 +7,19 @@ use polhode_document::number::{NO_BREAK, number};
 /// Significant digits of a moment.
 const DIGITS: usize = 6;
 
-/// True if some distribution of mass has these moments.
+/// Returns true if some distribution of mass has these moments.
 pub(crate) fn is_possible(principal: &PrincipalFrame<Body>) -> bool {
     InertiaTensor::<Body>::diagonal(principal.moments()).is_ok()
 }
 
-/// `1, 2, 3 kg·m²: physical (1 + 2 = 3: a flat plate)`
+/// Describes the moments, such as `1, 2, 3 kg·m²: physical (1 + 2 = 3: a flat plate)`.
 pub(crate) fn in_words(principal: &PrincipalFrame<Body>) -> String {
     let verdict = verdict(principal).replace(' ', &NO_BREAK.to_string());
     format!("{}: {verdict}", moments(principal))
 }
 
-/// The moments in ascending order, each with its axis if that is not the body axis of the same number.
+/// Describes the moments in ascending order, each with its axis unless that is the body axis of the
+/// same number.
 fn moments(principal: &PrincipalFrame<Body>) -> String {
     let [i1, i2, i3] = principal.moments().map(|i| number(i, DIGITS));
     match principal.axes().map(name) {
@@ -30,16 +31,16 @@ fn moments(principal: &PrincipalFrame<Body>) -> String {
     }
 }
 
-/// The body axis that a principal axis lies along.
+/// Returns the name of the body axis along a principal axis.
 fn name(axis: Direction<Body>) -> Option<&'static str> {
     let along = axis.to_array().iter().position(|c| c.abs() == 1.0)?;
     ["x", "y", "z"].get(along).copied()
 }
 
 fn verdict(principal: &PrincipalFrame<Body>) -> String {
-    /// A body whose moments miss equality by less of the greatest is shown as a plate, nearly.
+    /// Largest deviation from I₁ + I₂ = I₃, relative to I₃, of a body shown as very nearly a plate.
     const NEARLY: f64 = 1e-6;
-    /// The rounding of a plate's moments.
+    /// Largest deviation that is rounding of a plate's moments.
     const ROUNDING: f64 = 64.0 * f64::EPSILON;
     let [i1, i2, i3] = principal.moments();
     let [n1, n2, n3] = principal.moments().map(|i| number(i, DIGITS));

@@ -1,4 +1,5 @@
-//! Facts about a free motion: those that `simulate` has too have the same keys, labels and notes.
+//! Facts about a free motion. Facts that `simulate` also states have the same keys, labels and
+//! notes.
 
 use polhode::motion::{PermanentAxis, Regime, State};
 use polhode::observe::{AxisConvention, TumblingPeriods};
@@ -16,7 +17,7 @@ use crate::report::free_facts::FreeFacts;
 pub(super) const KEYS: [&str; 7] =
     ["polhode", "source", "possible", "principal", "start", "motion", "findings"];
 
-/// Keys of `motion`: `null` where a motion has no such thing.
+/// Keys of `motion`; `null` where a motion has no value.
 const MOTION: [&str; 20] = [
     "regime",
     "permanent_axis",
@@ -43,7 +44,7 @@ const MOTION: [&str; 20] = [
 /// Significant digits of a number in the text.
 pub(super) const DIGITS: usize = 6;
 
-/// Facts in sections, in the order of the screen.
+/// Returns the facts in sections, in the order of the text.
 pub(super) fn of(report: &SpinReport, free: &FreeFacts) -> Vec<Facts> {
     let FreeFacts { motion, top, .. } = free;
     let section = |title: &str, facts: Vec<Fact>| {
@@ -93,12 +94,12 @@ fn motion_facts(free: &FreeFacts) -> Vec<Fact> {
     facts
 }
 
-/// P_φ and P_ψ in a convention; people see them by the axis that precesses.
+/// Returns P_φ and P_ψ in a convention; the text states them by the axis that precesses.
 fn in_convention(name: &str, periods: Option<TumblingPeriods>) -> Fact {
     Fact::data(format!("motion.periods.{name}"), periods.map(|periods| tumbling(periods).into()))
 }
 
-/// `{"precession_period_s": P_φ, "rotation_period_s": P_ψ}`
+/// Returns `{"precession_period_s": P_φ, "rotation_period_s": P_ψ}`.
 pub(super) fn tumbling(periods: TumblingPeriods) -> Value {
     json!({ "precession_period_s": periods.precession, "rotation_period_s": periods.rotation })
 }

@@ -58,8 +58,8 @@ impl SpinReport {
     /// the previous one.
     ///
     /// # Errors
-    /// [`MotionError::BeyondReach`] for a time too far away, [`MotionError::NotFinite`] for a state that is
-    /// not a number.
+    /// [`MotionError::BeyondReach`] for a time too far away, [`MotionError::NotFinite`] for a state
+    /// that is not finite.
     pub fn at(mut self, times: &[f64]) -> Result<Self, MotionError> {
         self.motion.require(times)?;
         let estimate = self.motion.global_error(times);

@@ -9,18 +9,19 @@ use serde_json::{Value, json};
 
 use crate::report::global_error;
 
-/// A state with the sign that its quaternion is printed with.
+/// State with the sign of its quaternion for output.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Printed {
     time: f64,
     omega: AngularVelocity<Body>,
     wxyz: [f64; 4],
-    /// Errors of the computation, and of input rounding.
+    /// Errors due to the computation, and due to input rounding.
     errors: [StateError; 2],
 }
 
 impl Printed {
-    /// Standing alone, or the first of a list, w ≥ 0; after another, the sign nearest to that one's.
+    /// Chooses the sign of the quaternion: w ≥ 0 for a single state or the first of a list, else
+    /// the sign nearest to the previous state.
     pub(crate) fn new(state: &State, errors: [StateError; 2], before: Option<&Self>) -> Self {
         let q = state.attitude.canonical_quaternion();
         let cosine = before.map_or(1.0, |before| q.iter().zip(before.wxyz).map(|(a, b)| a * b).sum());
@@ -38,8 +39,8 @@ pub(crate) fn to_json(states: &[Printed]) -> Value {
     states.iter().map(one).collect()
 }
 
-/// Two tables, since a row of all eight numbers is wider than a terminal; every number reads back bit
-/// for bit.
+/// Returns two tables, because a row of all eight numbers is wider than a terminal. Each number
+/// reads back bit for bit.
 pub(crate) fn to_text(states: &[Printed]) -> String {
     if states.is_empty() {
         return String::new();

@@ -20,13 +20,13 @@ pub(super) fn write(report: &SpinReport, picture: Option<usize>) -> String {
     plain_spaces(&text) + &states::to_text(&report.states) + &finding::to_text(&report.findings)
 }
 
-/// The file with its title, or a title of its own, and the answer.
+/// Returns the source with its title, or else this title, and the answer.
 pub(super) fn head(source: Option<&SourceInfo>, title: &str, answer: &str) -> String {
     let title = source.map_or_else(|| title.to_owned(), SourceInfo::heading);
     [vec![title], wrap(answer, "", WIDTH), vec![String::new()]].concat().join("\n") + "\n"
 }
 
-/// Two periods of the component of ω along a principal axis that varies most.
+/// Returns two periods of the component of ω along a principal axis that varies most.
 fn curve(motion: &FreeMotion, columns: usize) -> String {
     const PERIODS: f64 = 2.0;
     let Some(period) = motion.period() else { return String::new() };

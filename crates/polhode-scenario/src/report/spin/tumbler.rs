@@ -1,4 +1,4 @@
-//! The report of `polhode spin --periods`: which spins have the two periods of a tumbling body.
+//! Report of `polhode spin --periods`: the spins that have the two periods of a tumbling body.
 
 use polhode::body::PrincipalFrame;
 use polhode::math::{AngularVelocity, Body};
@@ -14,7 +14,7 @@ use super::{body, facts, text};
 use crate::report::VERSION;
 use crate::report::answer::DIGITS;
 
-/// All spins of a body that have two periods, ready to be read.
+/// Report of all spins of a body that have two given periods.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, PrincipalFrame};
@@ -32,12 +32,12 @@ pub struct TumblerReport {
     principal: PrincipalFrame<Body>,
     periods: TumblingPeriods,
     convention: AxisConvention,
-    /// ω along the principal axes.
+    /// Spins with ω along the principal axes.
     spins: Vec<TumblingSolution>,
 }
 
 impl TumblerReport {
-    /// Asks for the spins that a body with these principal moments can have.
+    /// Computes the possible spins of a body with these principal moments.
     ///
     /// # Errors
     /// [`TumblerError`] as [`TumblingSolution::all`].
@@ -51,20 +51,20 @@ impl TumblerReport {
         Ok(Self { source, principal, periods, convention, spins })
     }
 
-    /// One screen for people.
+    /// Returns the text of the report, at most one screen.
     pub fn to_text(&self) -> String {
         let head = text::head(self.source.as_ref(), "Spins with two given periods", &self.answer());
         let facts: String = self.facts().iter().map(|facts| facts.to_text(false)).collect();
         plain_spaces(&(head + &facts))
     }
 
-    /// One object: the given periods, and a list of spins.
+    /// Returns a JSON object: the given periods, and a list of spins.
     pub fn to_json(&self) -> Value {
         let keys = ["polhode", "source", "principal", "convention", "periods", "spins"];
         Value::Object(object(&keys, &self.facts()))
     }
 
-    /// Kind and |ω| of each spin.
+    /// Describes the kind and |ω| of each spin.
     fn answer(&self) -> String {
         let kinds = self.spins.iter().map(|spin| {
             let kind = spin.regime.description().split(':').next().unwrap_or_default();
@@ -77,7 +77,7 @@ impl TumblerReport {
         }
     }
 
-    /// Each spin, then the input.
+    /// Returns the facts about each spin, then the input.
     fn facts(&self) -> Vec<Facts> {
         let spins: Vec<Vec<Fact>> = self.spins.iter().map(|spin| self.spin(spin)).collect();
         let json = |facts: &Vec<Fact>| object(&[], &[Facts::new("", facts.clone())]).remove("spin");
@@ -125,7 +125,7 @@ impl TumblerReport {
         .collect()
     }
 
-    /// ω along body axes.
+    /// Returns ω along body axes.
     fn omega(&self, spin: &TumblingSolution) -> AngularVelocity<Body> {
         let along = self.principal.axes().into_iter().zip(spin.omega.to_array());
         let parts = along.map(|(axis, rate)| AngularVelocity::from_array((axis * rate).to_array()));

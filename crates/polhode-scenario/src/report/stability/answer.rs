@@ -14,8 +14,8 @@ use super::words::{DIGITS, e_folding, listed, torques, verdict};
 use super::{Judged, StabilityReport};
 use crate::report::answer::capitalised;
 
-/// Returns the stability of the spins without torques, or else of the equilibrium; for each state of
-/// the wheels.
+/// Returns the stability of the spins without torques, or else of the equilibrium, for each state
+/// of the wheels.
 pub(crate) fn lines(report: &StabilityReport) -> Vec<String> {
     let at = |judged: &Judged| match &judged.oscillations {
         Some(Ok(found)) if judged.is_driven => equilibrium(found),

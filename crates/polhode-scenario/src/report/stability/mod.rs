@@ -1,4 +1,4 @@
-//! The report of `polhode stability`: permanent rotations, small oscillations about an equilibrium.
+//! Report of `polhode stability`: permanent rotations, and small oscillations about an equilibrium.
 
 mod answer;
 mod facts;

@@ -28,8 +28,8 @@ pub(crate) fn rates([frequency, growth_rate]: [f64; 2]) -> [Fact; 3] {
     ]
 }
 
-/// Returns `stable (oscillation periods 2 s and 3 s)` or `unstable (e-folding time 1.7 s)`, from the
-/// frequency (rad/s) and growth rate (1/s) of each mode.
+/// Returns `stable (oscillation periods 2 s and 3 s)` or `unstable (e-folding time 1.7 s)`. The
+/// arguments are the frequency (rad/s) and growth rate (1/s) of each mode.
 pub(crate) fn verdict(modes: &[[f64; 2]]) -> String {
     let fastest = modes.iter().map(|mode| mode[1]).reduce(f64::max);
     match fastest {

@@ -1,4 +1,4 @@
-//! A page that is served in a thread, and a client that can say anything to it.
+//! A page served in a thread, and an HTTP client that can send arbitrary bytes.
 
 use std::collections::HashMap;
 use std::io::{Read as _, Write as _};
@@ -12,7 +12,7 @@ use std::time::Duration;
 use polhode_live::{Live, LiveOptions};
 use serde_json::Value;
 
-/// What every answer of the page's own has.
+/// Security headers that every answer of the page has.
 const SECURITY: [(&str, &str); 6] = [
     ("x-content-type-options", "nosniff"),
     ("x-frame-options", "DENY"),
@@ -22,7 +22,7 @@ const SECURITY: [(&str, &str); 6] = [
     ("cache-control", "no-store"),
 ];
 
-/// A page that is served as long as this is there.
+/// A page that is served until this value is dropped.
 pub(crate) struct Page {
     pub(crate) port: u16,
     pub(crate) token: String,
@@ -50,13 +50,13 @@ impl Page {
         Self { port, token, goes_on, thread }
     }
 
-    /// Sends bytes and reads what is answered to the end; `cut` says no more after them, as one who hangs
-    /// up does.
+    /// Sends bytes and reads the answer to its end. `cut` closes the writing side after the bytes,
+    /// like a client that hangs up.
     pub(crate) fn say(&self, bytes: &[u8], cut: bool) -> Option<Answer> {
         let mut stream = TcpStream::connect(SocketAddr::from(([127, 0, 0, 1], self.port))).unwrap();
         stream.set_nodelay(true).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
-        // The server may hang up before it has heard all.
+        // The server may close the connection before it has read everything.
         let _ = stream.write_all(bytes);
         if cut {
             let _ = stream.shutdown(Shutdown::Write);
@@ -84,18 +84,18 @@ impl Page {
         self.say(&[head.as_bytes(), body].concat(), false).unwrap()
     }
 
-    /// Drops a file into a set.
+    /// Drops a file into a set of dropped files.
     pub(crate) fn drop_file(&self, set: u32, name: &str, bytes: &[u8]) -> Answer {
         let encoded: String = name.bytes().map(|byte| format!("%{byte:02x}")).collect();
         self.post(&format!("drop?set={set}&name={encoded}"), bytes)
     }
 
-    /// Opens a file of a set.
+    /// Opens a file of a set of dropped files.
     pub(crate) fn open_dropped(&self, set: u32, name: &str) -> Answer {
         self.post("open", serde_json::json!({ "set": set, "name": name }).to_string().as_bytes())
     }
 
-    /// What is answered of a file that was dropped and opened.
+    /// Drops and opens a file; returns its document.
     pub(crate) fn dropped(&self, set: u32, name: &str, bytes: &[u8]) -> Value {
         assert_eq!(self.drop_file(set, name, bytes).status, 200);
         let opened = self.open_dropped(set, name);
@@ -119,7 +119,7 @@ impl Drop for Page {
 }
 
 impl Answer {
-    /// `None` of a connection that was closed without a word.
+    /// Parses an answer; `None` for a connection closed without an answer.
     fn parse(bytes: &[u8]) -> Option<Self> {
         if bytes.is_empty() {
             return None;
@@ -136,7 +136,7 @@ impl Answer {
         Some(answer)
     }
 
-    /// What says anything says to whom; what is no HTTP is answered with a number and nothing else.
+    /// Checks the security headers. An empty answer must have a status for invalid HTTP.
     fn is_kept_to_itself(&self) {
         if self.headers.get("content-length").map(String::as_str) == Some("0") && self.body.is_empty() {
             assert!(matches!(self.status, 400 | 414 | 431), "{self:?}");
@@ -161,8 +161,8 @@ impl Answer {
         }
     }
 
-    /// JSON with rows of numbers behind it, which come to stand in their places; each number belongs to one
-    /// row.
+    /// Reads JSON followed by rows of numbers, and inserts the rows at their places. Each number
+    /// must belong to exactly one row.
     fn json_with_rows(&self) -> Value {
         let (length, rest) = self.body.split_first_chunk().unwrap();
         let (head, rows) = rest.split_at(u64::from_le_bytes(*length).try_into().unwrap());
@@ -199,12 +199,12 @@ fn put_rows(value: &mut Value, left: &mut [Option<u8>]) {
     };
 }
 
-/// A file of the repository.
+/// Returns the path of a file of the repository.
 pub(crate) fn repository(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
 }
 
-/// A folder of this process that goes with the value.
+/// Temporary folder of this process, removed when dropped.
 pub(crate) struct Folder(pub(crate) PathBuf);
 
 impl Folder {
@@ -227,7 +227,7 @@ impl Drop for Folder {
     }
 }
 
-/// The f32 of a row, or that a text in base64 has.
+/// Returns the f32 numbers of an array, or of a base64 text.
 pub(crate) fn f32s(value: &Value) -> Vec<f32> {
     match value {
         Value::Array(_) => f64s(value).into_iter().map(|x| x as f32).collect(),
@@ -235,7 +235,7 @@ pub(crate) fn f32s(value: &Value) -> Vec<f32> {
     }
 }
 
-/// The u32 of either.
+/// Returns the u32 numbers of an array, or of a base64 text.
 pub(crate) fn u32s(value: &Value) -> Vec<u32> {
     match value.as_array() {
         Some(numbers) => numbers.iter().map(|x| x.as_u64().unwrap().try_into().unwrap()).collect(),
@@ -243,7 +243,7 @@ pub(crate) fn u32s(value: &Value) -> Vec<u32> {
     }
 }
 
-/// The numbers of a row.
+/// Returns the f64 numbers of an array.
 pub(crate) fn f64s(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect()
 }

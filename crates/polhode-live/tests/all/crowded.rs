@@ -1,4 +1,4 @@
-//! A server with more to do than it can still gives light answers within seconds.
+//! An overloaded server still answers light requests within seconds.
 
 use std::io::{Read as _, Write as _};
 use std::net::{SocketAddr, TcpStream};
@@ -8,11 +8,11 @@ use serde_json::{Value, json};
 
 use crate::client::{Answer, Page};
 
-/// A scenario whose motion takes no time.
+/// Scenario whose motion is computed in negligible time.
 const LIGHT: &str = "[[body.part]]\nshape = \"box\"\nsize = [1, 2, 3]\nmass = 4\n[start]\nspin = { body = [0.1, 0.2, 0.3] }\n[run]\nduration = 1\nsamples = 2\n";
 
-/// A scenario whose motion takes longer than any answer: 2·10⁷ rad under a torque, fewer steps than are
-/// refused at once.
+/// Scenario whose motion takes longer than any answer may take: 2·10⁷ rad under a torque. It needs
+/// fewer steps than the limit for immediate refusal.
 const HEAVY: &str = "[[body.part]]\nshape = \"box\"\nsize = [1, 2, 3]\nmass = 4\n[start]\nspin = { body = [11, 12, 13] }\n[[torque]]\nmodel = \"drag\"\nlaw = \"linear\"\ncoefficient = [1e-9, 2e-9, 1e-9]\n[run]\nduration = 1e6\nsamples = 2\n";
 
 fn motion(text: &str) -> String {
@@ -41,7 +41,7 @@ fn two_hundred_half_open_connections_keep_nobody_out() {
     let half_open: Vec<TcpStream> = (0..200)
         .map(|k| {
             let mut stream = connect(&page);
-            // Some have said nothing, some a part of a head.
+            // Some clients have sent nothing, some a part of a head.
             stream
                 .write_all(["", "GET / HTT", "GET /0/documents HTTP/1.1\r\nHost: a\r\n"][k % 3].as_bytes())
                 .unwrap();
@@ -49,7 +49,7 @@ fn two_hundred_half_open_connections_keep_nobody_out() {
         })
         .collect();
     within(SECOND, "documents", || page.get("documents"));
-    // The oldest made room; the newest are still waited for.
+    // The oldest connections were closed for new ones; the server still waits for the newest.
     let is_closed = |stream: &TcpStream| {
         let mut stream = stream;
         stream.set_read_timeout(Some(Duration::from_millis(50))).unwrap();
@@ -70,7 +70,7 @@ fn a_request_in_progress_is_not_closed_for_others() {
     let head = format!("{}Content-Length: {}\r\n\r\n", page.head("POST", "motion"), body.len());
     let (first, rest) = body.split_at(10);
     busy.write_all(format!("{head}{first}").as_bytes()).unwrap();
-    // Its head is read before the others come.
+    // The head is read before the other connections arrive.
     std::thread::sleep(Duration::from_millis(100));
     let others: Vec<TcpStream> = (0..100).map(|_| connect(&page)).collect();
     within(SECOND, "documents", || page.get("documents"));
@@ -100,7 +100,7 @@ fn heavy_motions_do_not_stall_light_requests() {
     let moved = within(2 * SECOND, "a light motion", || page.post("motion", motion(LIGHT).as_bytes()));
     assert_eq!(moved["errors"], json!([]));
     assert_eq!(moved["motion"]["page"]["body"]["mass"], 4.0);
-    // They are all still computed, or wait.
+    // All of these are still being computed or queued.
     for mut stream in heavy {
         stream.set_nonblocking(true).unwrap();
         let kind = stream.read(&mut [0; 16]).map_err(|error| error.kind());
@@ -111,7 +111,7 @@ fn heavy_motions_do_not_stall_light_requests() {
 #[test]
 fn bodies_that_take_long_do_not_stall_light_requests() {
     let page = Page::open(&[]);
-    // The integrals of this density take minutes, and are made before there is any motion.
+    // The integrals of this density take minutes and precede any motion.
     let density = "density = \"1000 + 500*sin(100000*x*y)*abs(x-y+0.1*z)\"";
     let body = motion(&LIGHT.replace("mass = 4", density));
     let request = format!("{}Content-Length: {}\r\n\r\n{body}", page.head("POST", "motion"), body.len());
@@ -141,7 +141,7 @@ fn more_heavy_motions_than_may_wait_are_refused() {
             stream
         })
         .collect();
-    // Of these two are computed and 16 wait.
+    // Two of these are computed, and 16 wait.
     let mut refused = 0;
     for stream in &mut heavy {
         stream.set_read_timeout(Some(Duration::from_millis(500))).unwrap();

@@ -1,4 +1,4 @@
-//! What the lessons of bodies on the ground say, against what is computed of their scenarios.
+//! Statements of the lessons on bodies on the ground, compared with their computed scenarios.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use crate::lessons::{Lesson, Step};
 
 const UP: Direction<Space> = Direction::new(0.0, 0.0, 1.0);
 
-/// A motion on the ground, with its contact at each sample.
+/// Motion on the ground, with its contact at each sample.
 struct OnGround {
     motion: Trajectory,
     start: ContactState,
@@ -44,12 +44,12 @@ fn motion(scenario: &Scenario) -> OnGround {
     OnGround::of(scenario.simulate().unwrap().unwrap())
 }
 
-/// The motion of a step.
+/// Computes the motion of a step.
 fn moves(step: &Step<'_>) -> OnGround {
     motion(&step.scenario())
 }
 
-/// The same step with something else in its text.
+/// Returns the scenario of a step with one text replaced.
 fn with(step: &Step<'_>, from: &str, to: &str) -> Scenario {
     let text = step.text();
     assert!(text.contains(from), "{from} in {text}");
@@ -64,7 +64,7 @@ fn change(motion: &OnGround, which: ContactChange) -> f64 {
     motion.changes().iter().find(|event| event.change == which).unwrap().time
 }
 
-/// Of z to the vertical, degrees.
+/// Returns the angle between the body's z axis and the vertical, degrees.
 fn tilt(sample: &ContactState) -> f64 {
     (sample.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0)).angle_to(UP).to_degrees()
 }
@@ -81,7 +81,7 @@ fn last(motion: &OnGround) -> &ContactState {
     motion.samples().last().unwrap()
 }
 
-/// When the turning about the vertical changes its sense first, for good.
+/// Returns the time at which the rotation about the vertical reverses for good, s.
 fn turns_back(motion: &OnGround) -> Option<f64> {
     let pair =
         motion.samples().windows(2).find(|pair| about_vertical(&pair[0]) * about_vertical(&pair[1]) < 0.0)?;
@@ -115,7 +115,7 @@ fn sliding_ball() {
     let ball = BallOnPlane::of(lesson.step(4).scenario().body(), &ground(&lesson.step(4).scenario()).contact)
         .unwrap();
     assert!((ball.share() - 2.0 / 7.0).abs() < 1e-14);
-    // Second differences are even as long as it slips.
+    // Second differences are equal while the ball slips.
     let [a, b, c, d] = [0, 20, 40, 60].map(|k| aside.samples()[k].center);
     assert!(aside.samples()[60].state.time < change(&aside, ContactChange::Grips));
     assert!(((d - c) - (c - b) - ((c - b) - (b - a))).norm() < 1e-12);
@@ -131,7 +131,8 @@ fn euler_disk() {
     let rate = |tilt: f64| disk.rate_at_rest(tilt.to_radians()).unwrap();
     lesson.step(1).says("50 rad/s", rate(25.0));
     lesson.step(1).says("8 times", rate(25.0) / std::f64::consts::TAU);
-    // The rates at 5°, by how far the axis has gone round, and the body about the vertical.
+    // Rates near 5° from differences: the azimuth of the axis, and the rotation of the body about
+    // the vertical.
     let near = run.samples().windows(2).find(|pair| tilt(&pair[1]) < 5.0).unwrap();
     let axis = |s: &ContactState| s.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
     let azimuth = |s: &ContactState| axis(s).y.atan2(axis(s).x);
@@ -141,7 +142,7 @@ fn euler_disk() {
     let body = near[1].state.omega.z + round * (1.0 - axis(&near[1]).z);
     lesson.step(2).right("1.6 rad/s", -body);
     lesson.step(2).right_is("the other way round");
-    // To its end.
+    // The motion to its end.
     let flat = |scenario: &Scenario, seconds: f64| {
         let mut run = scenario.run().unwrap().clone();
         run.times = vec![seconds];
@@ -202,9 +203,9 @@ fn spinning_egg() {
     lesson.step(1).says("8 mm", (end.center.z - run.start().center.z) * 1e3);
     lesson.step(1).right("158 rad/s", about_vertical(end));
     lesson.step(1).says("30 % less", (1.0 - egg.along / egg.across) * 100.0);
-    // The wrong answer that L were kept.
+    // The wrong answer assumes that L is conserved.
     assert!((150.0 * egg.across / egg.along - 214.0).abs() < 0.6);
-    // J = A Ω h on its side.
+    // J = A Ω h for the egg on its side.
     lesson.step(1).says("157 rad/s", egg.spin_on_end(egg.across * 150.0 * egg.radius));
     lesson.step(1).says("18 %", (1.0 - energy(end) / energy(run.start())) * 100.0);
     let slow = lesson.step(2).scenario();
@@ -214,7 +215,7 @@ fn spinning_egg() {
     let ice = moves(&lesson.step(3));
     lesson.step(3).right_is("It stays near the level");
     assert!(ice.samples().iter().all(|s| (tilt(s) - 90.0).abs() < 3.0));
-    // Held, it rolls, and does not rise.
+    // With sticking friction it rolls and does not rise.
     let held = with(&lesson.step(1), "friction = 0.1", "friction = 2.0");
     assert!(motion(&held).samples().iter().all(|s| tilt(s) > 85.0));
 }
@@ -246,7 +247,7 @@ fn rattleback() {
     assert_eq!(turns_back(&even), None);
     assert!(even.samples().iter().all(|s| (about_vertical(s) + 5.0).abs() < 0.5));
     lesson.step(4).right_is("The table");
-    // On ice all forces are vertical, and L · n stays.
+    // Without friction all forces are vertical, and L · n is constant.
     let ice = with(&lesson.step(4), "law = \"rolling\"", "law = \"frictionless\"\nrolls = true");
     assert_eq!(turns_back(&motion(&ice)), None);
 }

@@ -1,5 +1,5 @@
-//! A client that means no good: ten thousand requests that no page makes, and after them the server
-//! answers as before.
+//! A hostile client sends ten thousand requests that no page sends; the server still answers as
+//! before.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -7,10 +7,10 @@ use serde_json::{Value, json};
 
 use crate::client::{Answer, Page};
 
-/// A scenario that takes no time.
+/// Scenario that is computed in negligible time.
 const SMALL: &str = "[[body.part]]\nshape = \"box\"\nsize = [1, 2, 3]\nmass = 4\n[start]\nspin = { body = [0.1, 0.2, 0.3] }\n[run]\nduration = 1\nsamples = 2\n";
 
-/// Numbers that look like chance, the same ones each time.
+/// Deterministic pseudo-random numbers.
 struct Chance(u64);
 
 impl Chance {
@@ -28,21 +28,21 @@ impl Chance {
     }
 }
 
-/// A request, and what may be said to it.
+/// A request and its expected answer.
 struct Attempt {
     bytes: Vec<u8>,
-    /// The client hangs up after them.
+    /// True if the client hangs up after the bytes.
     cut: bool,
     expected: Expected,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Expected {
-    /// A 4xx, or nothing.
+    /// A status 4xx, or no answer.
     Refusal,
-    /// An answer of the page with the text's errors.
+    /// An answer of the page with the errors of the text.
     Errors,
-    /// Anything that is no defect.
+    /// Any answer except one that indicates a defect.
     Anything,
 }
 
@@ -56,7 +56,7 @@ impl Attempt {
     }
 }
 
-/// What makes requests of one kind.
+/// Generator of requests of one kind.
 type Kind = fn(&Page, &mut Chance) -> Attempt;
 
 const KINDS: [Kind; 12] = [
@@ -126,7 +126,7 @@ fn headers(page: &Page, chance: &mut Chance) -> Attempt {
     Attempt::cut(format!("{head}{more}\r\n").into_bytes())
 }
 
-/// Requests for what is there, from elsewhere.
+/// Requests for existing resources from foreign origins.
 fn strangers(page: &Page, chance: &mut Chance) -> Attempt {
     let Page { port, token, .. } = page;
     let own = format!("Host: 127.0.0.1:{port}\r\n");
@@ -266,7 +266,7 @@ fn json_of_another_shape(page: &Page, chance: &mut Chance) -> Attempt {
     Attempt::refused(post(page, chance.of(&["motion", "complete", "open"]), &body))
 }
 
-/// Texts that are no scenarios: their errors are told.
+/// Texts that are not scenarios; the answer reports their errors.
 fn texts(page: &Page, chance: &mut Chance) -> Attempt {
     let many = 1 << chance.below(13);
     let file = chance.of(&[
@@ -352,7 +352,7 @@ fn edits(page: &Page, chance: &mut Chance) -> Attempt {
     Attempt { bytes, cut: false, expected: Expected::Anything }
 }
 
-/// Names of files that lead elsewhere.
+/// File names that lead outside the set.
 fn names(page: &Page, chance: &mut Chance) -> Attempt {
     let name = chance.of(&[
         "../x.stl",
@@ -390,7 +390,7 @@ fn names(page: &Page, chance: &mut Chance) -> Attempt {
     Attempt::refused(post(page, &format!("drop?{query}"), b"solid"))
 }
 
-/// The page answers what it is there for.
+/// Checks that the page still answers its ordinary requests.
 fn answers(page: &Page) {
     let documents = page.get("documents").json();
     assert_eq!(documents["documents"][0]["name"], "t-handle.toml");
@@ -406,7 +406,7 @@ fn answers(page: &Page) {
 fn is_right(attempt: &Attempt, answer: Option<&Answer>) -> bool {
     let Some(answer) = answer else { return attempt.cut || attempt.expected == Expected::Refusal };
     let is_refused = (400..500).contains(&answer.status);
-    // What it says of itself names nothing of this machine.
+    // The answer contains no data of this machine.
     let is_silent = !answer.text().contains("root:") && !answer.text().contains("panicked");
     is_silent
         && match attempt.expected {
@@ -419,7 +419,7 @@ fn is_right(attempt: &Attempt, answer: Option<&Answer>) -> bool {
         }
 }
 
-/// KiB of this process that are in memory.
+/// Returns the resident memory of this process, KiB.
 fn resident() -> Option<usize> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
@@ -432,7 +432,7 @@ static PANICS: AtomicUsize = AtomicUsize::new(0);
 fn ten_thousand_requests_of_one_who_means_no_good_change_nothing() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
-        // Of other tests' own there is no matter.
+        // Panics inside tests are not counted.
         if panic.location().is_some_and(|place| !place.file().contains("tests")) {
             PANICS.fetch_add(1, Ordering::Relaxed);
         }
@@ -458,7 +458,7 @@ fn ten_thousand_requests_of_one_who_means_no_good_change_nothing() {
     }
     assert_eq!(PANICS.load(Ordering::Relaxed), 0);
     if let (Some(before), Some(after)) = (before, resident()) {
-        // Other tests run beside this one.
+        // Other tests run simultaneously.
         assert!(after < before + (700 << 10), "{before} KiB before, {after} KiB after");
     }
 }

@@ -1,4 +1,4 @@
-//! Meshes that bound no solid: what is wrong with them, marked where it is.
+//! Meshes that do not bound a solid: each defect is marked at its place.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -9,7 +9,7 @@ use crate::client::{Folder, Page, f32s, repository, u32s};
 
 pub(crate) type Point = [f32; 3];
 
-/// A binary STL file of triangles.
+/// Returns a binary STL file with these triangles.
 pub(crate) fn stl(triangles: &[[Point; 3]]) -> Vec<u8> {
     let mut bytes = vec![0; 80];
     bytes.extend(u32::try_from(triangles.len()).unwrap().to_le_bytes());
@@ -21,7 +21,7 @@ pub(crate) fn stl(triangles: &[[Point; 3]]) -> Vec<u8> {
     bytes
 }
 
-/// The triangles of a binary STL file.
+/// Returns the triangles of a binary STL file.
 fn triangles(bytes: &[u8]) -> Vec<[Point; 3]> {
     let number =
         |record: &[u8], k: usize| f32::from_le_bytes(record[12 + 4 * k..16 + 4 * k].try_into().unwrap());
@@ -39,7 +39,7 @@ fn bits(p: Point) -> [u32; 3] {
     p.map(f32::to_bits)
 }
 
-/// Triangles by their corners, whichever comes first.
+/// Returns the triangles as sets of corners, independent of the order of corners.
 fn set(triangles: impl IntoIterator<Item = [Point; 3]>) -> BTreeSet<[[u32; 3]; 3]> {
     let sorted = |triangle: [Point; 3]| {
         let mut corners = triangle.map(bits);
@@ -53,7 +53,7 @@ fn faces(finding: &Value) -> Vec<[Point; 3]> {
     points(&finding["faces"]).chunks(3).map(|corners| corners.try_into().unwrap()).collect()
 }
 
-/// The finding of a code, which there is once.
+/// Returns the only finding with this code.
 fn finding<'a>(mesh: &'a Value, code: &str) -> &'a Value {
     let found: Vec<_> =
         mesh["findings"].as_array().unwrap().iter().filter(|finding| finding["code"] == code).collect();
@@ -65,7 +65,7 @@ fn codes(mesh: &Value) -> Vec<&str> {
     mesh["findings"].as_array().unwrap().iter().map(|finding| finding["code"].as_str().unwrap()).collect()
 }
 
-/// The file's unit is a millimetre.
+/// Converts from millimetres, the unit of the file, to metres.
 fn metres(p: Point) -> Point {
     p.map(|x| (f64::from(x) * 0.001) as f32 + 0.0)
 }
@@ -98,7 +98,7 @@ fn a_triangle_taken_out_leaves_its_three_edges_open() {
         let expected = BTreeSet::from([0, 1, 2].map(|k| edge(gone[k], gone[(k + 1) % 3])));
         assert_eq!(marked, expected);
         assert!(faces(open).is_empty());
-        // What is shown are the triangles that are left, each vertex once.
+        // The page shows the remaining triangles, with each vertex once.
         let vertices: Vec<Point> = points(&mesh["vertices"]);
         assert_eq!(vertices.iter().map(|&p| bits(p)).collect::<BTreeSet<_>>().len(), vertices.len());
         let corner = |k: u32| vertices[k as usize];
@@ -108,7 +108,7 @@ fn a_triangle_taken_out_leaves_its_three_edges_open() {
     }
 }
 
-/// The twelve triangles of a box between two corners, normals outward.
+/// Returns the twelve triangles of a box between two corners, normals outward.
 fn cuboid(low: Point, high: Point) -> Vec<[Point; 3]> {
     let corner =
         |k: usize| -> Point { std::array::from_fn(|i| if k >> i & 1 == 1 { high[i] } else { low[i] }) };
@@ -120,7 +120,7 @@ fn cuboid(low: Point, high: Point) -> Vec<[Point; 3]> {
 fn of_boxes_that_cross_the_faces_on_the_crossing_are_marked() {
     let boxes = [[[0.1, 0.2, 0.3], [1.3, 1.1, 1.5]], [[0.83, 0.57, 0.64], [2.1, 0.95, 1.17]]];
     let [a, b] = boxes.map(|[low, high]| cuboid(low, high));
-    // A triangle crosses a box if some of its points are in it and others are not.
+    // A triangle intersects a box if some of its points are inside and others outside.
     let crosses = |triangle: &[Point; 3], [low, high]: [Point; 2]| {
         let n = 150;
         let grid = (0..=n).flat_map(|i| (0..=n - i).map(move |j| [i, j, n - i - j]));
@@ -153,7 +153,7 @@ fn every_kind_of_fault_is_found_at_once_and_marked() {
     let mut soup = cuboid([0.0, 0.1, 0.2], [1.0, 1.2, 1.3]);
     let twice = soup[5];
     soup.push(twice);
-    // A second box, one side of which is wound inward, and a third that has lost a triangle.
+    // A second box with one side wound inward, and a third one that lacks a triangle.
     let mut second = cuboid([3.0, 0.1, 0.2], [4.0, 1.2, 1.3]);
     second[2].swap(0, 1);
     second[3].swap(0, 1);
@@ -221,7 +221,7 @@ fn bodies_of_one_file_that_cross_are_no_body_and_the_part_is_named() {
 
 #[test]
 fn many_triangles_are_shown_and_no_more_is_marked_than_is_said() {
-    // A wavy sheet: 200,000 triangles of which all edges at the rim are open.
+    // A wavy sheet of 200,000 triangles; all edges at its rim are open.
     let (m, n) = (20_000, 5);
     let at = |i: i32, j: i32| [i as f32 * 1e-4, j as f32 * 1e-3, (0.01 * i as f32).sin() * 0.01];
     let quads = (0..m).flat_map(|i| (0..n).map(move |j| (i, j)));
@@ -303,7 +303,7 @@ fn a_mesh_that_turns_is_looked_at_too() {
     assert_eq!(set(faces(finding(mesh, "mesh.flipped"))), set(turned));
     assert_eq!((u32s(&mesh["triangles"]).len(), &mesh["of"]), (36, &12.into()));
     assert!(mesh["findings"].as_array().unwrap().iter().all(|finding| finding["severity"] != "error"));
-    // A scenario is no mesh.
+    // A scenario is not served as a mesh.
     assert_eq!(page.get("mesh/1").status, 404);
     assert_eq!(page.get("mesh/2").status, 404);
 }
@@ -314,7 +314,7 @@ fn what_was_not_written_to_is_looked_at_once() {
     let whole = cuboid([0.0, 0.1, 0.2], [1.0, 1.2, 1.3]);
     let torn = folder.file("torn.stl", &stl(&whole[1..]));
     let sound = folder.file("sound.stl", &stl(&whole));
-    // Other bytes behind the same length and time are not read.
+    // A file replaced by other bytes with the same length and time is not read again.
     let replaced = |path: &std::path::Path| {
         let told = std::fs::metadata(path).unwrap();
         let noughts = vec![b'0'; told.len().try_into().unwrap()];
@@ -340,7 +340,7 @@ fn what_was_not_written_to_is_looked_at_once() {
 #[test]
 fn a_dropped_mesh_reads_no_file_outside_its_set() {
     let folder = Folder::new("buffers");
-    // Nine floats: one triangle.
+    // Nine floats are one triangle.
     let numbers = [[0.0_f32, 0.0, 0.0], [1.0, 0.1, 0.0], [0.2, 1.0, 0.3]];
     let bytes: Vec<u8> = numbers.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
     let secret = folder.file("secret.bin", &bytes);

@@ -1,4 +1,4 @@
-//! What a page has of the body is not sent again; what it has not is.
+//! Data of the body that a page already has are not sent again.
 
 use serde_json::{Value, json};
 
@@ -18,7 +18,7 @@ duration = \"2 s\"
 samples = 21
 ";
 
-/// The motion with this ω at the start, for a page that has this of the body.
+/// Returns the motion with this initial ω, for a page that has the data with the key `known`.
 fn motion(page: &Page, omega: [f64; 3], known: Option<&str>) -> Value {
     let edits = json!([{ "omega": omega }]);
     let request = json!({
@@ -39,13 +39,14 @@ fn other_motions_of_a_body_are_sent_with_its_first_free_one() {
     let page = Page::open(&[folder.file("rest.toml", AT_REST.as_bytes())]);
     let rest = motion(&page, [0.0; 3], None);
     assert_eq!((count(&rest["page"]["body"]["shapes"]), &rest["page"]["free"]), (1, &Value::Null));
-    // The page has the shapes, and no curves yet.
+    // The page has the shapes, but no curves yet.
     let key = rest["body"].as_str().unwrap();
     assert_eq!(count(&motion(&page, [0.0; 3], Some(key))["page"]["body"]["shapes"]), 0);
     let first = motion(&page, [0.4, 1.0, -0.3], Some(key));
     let of_first = &first["page"]["free"];
     assert_eq!((count(&of_first["family"]), count(&of_first["separatrix"])), (20, 2));
-    // Now it has both, of this body's every motion; those that depend on the motion come each time.
+    // Now it has the shapes and the curves of all motions of this body. Curves of a single motion
+    // are sent each time.
     let key = first["body"].as_str().unwrap();
     let next = motion(&page, [1.0, 0.2, 0.7], Some(key));
     let of_next = &next["page"]["free"];
@@ -58,6 +59,6 @@ fn other_motions_of_a_body_are_sent_with_its_first_free_one() {
         let apart = a.iter().zip(&b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(a.len() == b.len() && a.len() > 30 && apart < 1e-12, "{line} {k}: {apart}");
     }
-    // At rest it still has them.
+    // At rest the page still has them.
     assert_eq!(motion(&page, [0.0; 3], Some(key))["body"], first["body"]);
 }

@@ -1,4 +1,4 @@
-//! A teacher's own lesson: how it is served, and what is refused of its file.
+//! Lesson files of teachers: how they are served, and which errors are reported.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
@@ -9,7 +9,7 @@ use polhode_live::{LessonError, Live, LiveError, LiveOptions, lessons};
 
 use crate::lessons::get;
 
-/// A lesson as a teacher writes it, in a folder of its own.
+/// Writes a lesson, as a teacher would, into a folder of its own.
 fn written(name: &str, lesson: &str, beside: &[(&str, &str)]) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("lessons").join(name);
     fs::create_dir_all(&folder).unwrap();
@@ -59,7 +59,7 @@ fn a_teachers_own_lesson_is_listed_first_and_served() {
     assert_eq!(step["scenario"], BALL.replace("1 kg", "2 kg"));
     let documents = get(base, "documents");
     assert_eq!(documents["first"], lesson["document"]);
-    // One more is another document, the same again is not.
+    // Another lesson is a new document; opened again, it is not.
     get(base, "lesson/cube");
     get(base, "lesson/cube");
     assert_eq!(get(base, "documents")["documents"].as_array().unwrap().len(), 2);
@@ -72,7 +72,7 @@ fn the_lesson_in_the_book_is_one() {
     let (_, after) = page.split_once("```toml fragment\n").unwrap();
     let (lesson, _) = after.split_once("```").unwrap();
     bound(&written("book", lesson, &[])).unwrap();
-    // The table has every lesson.
+    // The table contains every lesson.
     for info in lessons() {
         assert!(page.contains(&format!("| `{}` |", info.id)), "{}", info.id);
     }
@@ -121,7 +121,7 @@ fn what_a_lesson_cannot_be_is_refused_at_its_place() {
     let no_step = GOOD.split("[[step]]").next().unwrap();
     let error = bound(&written("no-step", no_step, &beside)).unwrap_err();
     assert!(error.message.contains("at least one [[step]]"), "{error}");
-    // What is wrong with a scenario stands at its place: in its own file, or in the lesson.
+    // An error in a scenario is reported at its place, in its own file or in the lesson.
     let wrong = BALL.replace("sphere", "spere");
     let error = bound(&written("scenario", GOOD, &[("ball.toml", &wrong)])).unwrap_err();
     assert!(error.path.ends_with("ball.toml") && error.place == Some([2, 9]), "{error}");

@@ -1,4 +1,4 @@
-//! What the lessons say, against what is computed of their scenarios.
+//! Statements of the lessons, compared with their computed scenarios.
 
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 
@@ -15,7 +15,7 @@ use polhode_live::{Live, LiveOptions, lessons};
 use polhode_scenario::read as scenario;
 use serde_json::Value;
 
-/// A lesson as the server gives it.
+/// Lesson as served.
 pub(crate) struct Lesson(Value);
 
 impl Lesson {
@@ -23,7 +23,7 @@ impl Lesson {
         let live =
             Live::bind(&LiveOptions { lesson: Some(id.to_owned()), ..LiveOptions::default() }).unwrap();
         let address = live.address();
-        // Ends with the tests.
+        // This thread ends with the tests.
         std::thread::spawn(|| live.run());
         let (base, lesson) = address.split_once("#lesson=").unwrap();
         assert_eq!(lesson, id);
@@ -35,7 +35,7 @@ impl Lesson {
     }
 }
 
-/// What a server answers to a GET.
+/// Returns the server's answer to a GET request.
 pub(crate) fn get(base: &str, path: &str) -> Value {
     let (host, token) = base.strip_prefix("http://").unwrap().split_once('/').unwrap();
     let mut stream = TcpStream::connect(host).unwrap();
@@ -54,13 +54,13 @@ impl Step<'_> {
         scenario::parse(self.text(), Path::new("lesson.toml")).unwrap()
     }
 
-    /// The text of its scenario.
+    /// Returns the text of the step's scenario.
     pub(crate) fn text(&self) -> &str {
         self.0["scenario"].as_str().unwrap()
     }
 
-    /// Some part of the step says it, with these digits: a number of this many decimals, and what stands
-    /// behind it.
+    /// Checks that a part of the step contains these words. They begin with a number, which must be
+    /// the value rounded to its decimals.
     #[track_caller]
     pub(crate) fn says(&self, words: &str, value: f64) {
         let question = &self.0["question"];
@@ -71,7 +71,7 @@ impl Step<'_> {
         agrees(words, value);
     }
 
-    /// The right answer says it.
+    /// Checks that the right answer contains these words, and that their number is the value.
     #[track_caller]
     pub(crate) fn right(&self, words: &str, value: f64) {
         self.right_is(words);
@@ -87,13 +87,13 @@ impl Step<'_> {
     }
 }
 
-/// Whether words are in a text, not as the end of a longer number.
+/// Returns true if the text contains the words, but not as the end of a longer number.
 fn holds(text: &str, words: &str) -> bool {
     let longer = |before: &str| before.ends_with(|c: char| c.is_ascii_digit() || c == '.');
     text.match_indices(words).any(|(at, _)| !longer(&text[..at]))
 }
 
-/// The number at the beginning is the value, as rounded as it is.
+/// Checks that the number at the beginning equals the value, rounded to as many decimals.
 #[track_caller]
 fn agrees(words: &str, value: f64) {
     let digits: String = words
@@ -115,24 +115,24 @@ fn omega(sample: &Sample) -> [f64; 3] {
     sample.state.omega.to_array()
 }
 
-/// Where a body axis points in space.
+/// Returns a body axis in space axes.
 fn axis(sample: &Sample, body: [f64; 3]) -> [f64; 3] {
     (sample.state.attitude * Direction::<Body>::new(body[0], body[1], body[2])).to_array()
 }
 
-/// The angle of a body axis to the vertical, degrees.
+/// Returns the angle between a body axis and the vertical, degrees.
 fn lean(sample: &Sample) -> f64 {
     axis(sample, [0.0, 0.0, 1.0])[2].clamp(-1.0, 1.0).acos().to_degrees()
 }
 
-/// Times at which a number changes its sign, from straight lines between the samples.
+/// Returns the times at which a number changes sign, by linear interpolation between the samples.
 fn crossings(samples: &[Sample], number: impl Fn(&Sample) -> f64) -> Vec<f64> {
     let pairs = samples.windows(2).map(|pair| (&pair[0], &pair[1], number(&pair[0]), number(&pair[1])));
     let crossing = pairs.filter(|(_, _, a, b)| (*a < 0.0) != (*b < 0.0));
     crossing.map(|(p, q, a, b)| p.state.time + (q.state.time - p.state.time) * a / (a - b)).collect()
 }
 
-/// The mean time between the first and the last of some crossings.
+/// Returns the mean interval between crossings, s.
 fn spacing(times: &[f64]) -> f64 {
     (times[times.len() - 1] - times[0]) / f64::from(u32::try_from(times.len() - 1).unwrap())
 }
@@ -142,7 +142,7 @@ fn moments(scenario: &Scenario) -> [f64; 3] {
     std::array::from_fn(|k| tensor.matrix()[k][k])
 }
 
-/// The angle between {I} ω and ω about the pivot, degrees.
+/// Returns the angle between {I} ω and ω about the pivot, degrees.
 fn off_axis(scenario: &Scenario) -> f64 {
     let start = scenario.start();
     scenario.rotor().angular_momentum(start.omega).angle_to(start.omega).to_degrees()
@@ -192,7 +192,7 @@ fn parallel_axes() {
     let period = |k: usize| lesson.step(k).scenario().pendulum().unwrap().unwrap().period(0.0);
     lesson.step(1).says("1.64 s", period(1));
     lesson.step(3).right("1.64 s", period(3));
-    // T(d) about any hole, by the tensor of the stick.
+    // T(d) about a hole at any distance d, from the tensor of the stick.
     let scenario = lesson.step(1).scenario();
     let body = scenario.body();
     let at = |d: f64| {
@@ -264,7 +264,7 @@ fn cones() {
     };
     let (across, along, plate) = of(1);
     let spin = omega(&plate[0])[2];
-    // How often the symmetry axis crosses a plane through L, in space.
+    // Number of times that the symmetry axis crosses a plane through L, in space.
     let l = plate[0].momentum.direction().unwrap().to_array();
     let round = |sample: &Sample| {
         let e = axis(sample, [0.0, 0.0, 1.0]);
@@ -325,7 +325,7 @@ fn racket() {
 fn bicycle_wheel() {
     let lesson = Lesson::open("bicycle-wheel");
     let of = |k: usize| samples(&lesson.step(k).scenario());
-    // The rate of the axle about the vertical, on average.
+    // Mean rate of the axle about the vertical.
     let round = |samples: &[Sample]| {
         let azimuth =
             |sample: &Sample| axis(sample, [0.0, 0.0, 1.0])[1].atan2(axis(sample, [0.0, 0.0, 1.0])[0]);
@@ -355,13 +355,14 @@ fn bicycle_wheel() {
     lesson.step(4).right_is("falls a little first");
     let nodding = of(4);
     lesson.step(4).says("3.3° below", leans(&nodding)[1] - 90.0);
-    // Lowest once in a nod: the rate of leaning changes its sign twice.
+    // The axis is lowest once in each nutation period: the rate of its inclination changes sign
+    // twice.
     let turning = nodding.windows(2).map(|pair| lean(&pair[1]) - lean(&pair[0])).collect::<Vec<_>>();
     let count = turning.windows(2).filter(|pair| (pair[0] > 0.0) != (pair[1] > 0.0)).count();
     let nod = 2.0 * 12.0 / f64::from(u32::try_from(count).unwrap());
-    // The last nod is not whole.
+    // The last nutation period is incomplete.
     assert!((nod - 0.212).abs() < 0.212 * 0.212 / 12.0, "{count} turning points");
-    // 33 nods of 0.2119 s are nearly 699 samples.
+    // 33 nutation periods of 0.2119 s are nearly 699 samples.
     lesson.step(4).says("0.212 s", 0.211_913_6);
     lesson.step(4).says("0.847 rad/s", round(&nodding[..=699]));
 }
@@ -384,7 +385,7 @@ fn sleeping_top() {
     lesson.step(1).right("2° at most", leans(1));
     lesson.step(2).says("9 % below", (1.0 - 300.0 / limit(2)) * 100.0);
     lesson.step(2).right("50°", leans(2));
-    // And back upright.
+    // The body returns upright.
     let all = samples(&lesson.step(2).scenario());
     let leaning = all.iter().skip_while(|sample| lean(sample) < 45.0);
     assert!(leaning.map(lean).fold(180.0, f64::min) < 3.0);
@@ -450,8 +451,8 @@ fn gravity_gradient() {
     let lesson = Lesson::open("gravity-gradient");
     let orbit = TAU / 1.10682e-3;
     lesson.step(1).says("94.6 min", orbit / 60.0);
-    // The angle of the boom to the vertical in the plane, and out of it; the vertical turns in the x-y
-    // plane.
+    // Angles of the boom from the vertical, in the plane of the orbit and out of it. The vertical
+    // rotates in the x-y plane.
     let swing = |k: usize, out: bool| {
         let ahead = move |sample: &Sample| {
             let boom = axis(sample, [0.0, 0.0, 1.0]);
@@ -485,12 +486,12 @@ fn chandler() {
     lesson.step(2).right_is("Just as long");
     assert!((days(2) - days(1)).abs() < 1e-3);
     lesson.step(3).says("430 days", days(3));
-    // "Some": to 5 %.
+    // The word "some" stands for a tolerance of 5 %.
     lesson.step(3).right_is("by some 30 %");
     assert!((0.25..0.35).contains(&(1.0 - 0.00232 / 0.003_284_548_3)));
     let across = omega(&samples(&lesson.step(1).scenario())[0]);
-    // On the ground: the angle times the radius of the Earth, for ω and for its circle about the axis of
-    // figure.
+    // Distances on the ground: the angle of ω, and of its circle about the axis of figure, times
+    // the Earth's radius.
     agrees("9", across[0] / across[2] * 6.357e6);
 }
 
@@ -536,7 +537,7 @@ fn tumbling() {
     lesson.step(1).says("5.37 days", 2.0 * spacing(&crossings(&all, |sample| omega(sample)[0])) / day);
     let l = all[0].momentum.direction().unwrap();
     let long = |sample: &Sample| sample.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
-    // The long axis about L, over the whole run.
+    // The long axis relative to L, over the whole run.
     let across = Direction::new(1.0, 0.0, 0.0).cross(l).direction().unwrap();
     let third = l.cross(across);
     let azimuth = |sample: &Sample| third.dot(long(sample)).atan2(across.dot(long(sample)));

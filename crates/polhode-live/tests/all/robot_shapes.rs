@@ -1,4 +1,4 @@
-//! What the links of a robot look like: their geometry, at its place in the link's frame.
+//! Shapes of a robot's links: their geometry, placed in the frame of the link.
 
 use serde_json::Value;
 
@@ -6,17 +6,17 @@ use crate::client::{Page, f32s, u32s};
 
 type Point = [f64; 3];
 
-/// An open surface of three triangles at no special place.
+/// Open surface of three triangles at generic points.
 const SURFACE: [[Point; 3]; 3] = [
     [[0.12, -0.31, 0.47], [0.83, 0.21, 0.36], [0.29, 0.94, 0.15]],
     [[0.12, -0.31, 0.47], [0.41, 0.18, 1.27], [0.83, 0.21, 0.36]],
     [[0.12, -0.31, 0.47], [0.29, 0.94, 0.15], [0.41, 0.18, 1.27]],
 ];
 
-/// It mirrors, and is another along each axis.
+/// Scale with a reflection and a different factor along each axis.
 const SCALE: Point = [0.7, -1.6, 2.3];
 
-/// Where the mesh, the box and the cylinder are: a place, and roll, pitch and yaw.
+/// Placements of the mesh, the box and the cylinder: position, m, and roll, pitch and yaw, rad.
 const PLACES: [[Point; 2]; 3] = [
     [[0.31, -0.72, 1.13], [0.4, -0.9, 1.7]],
     [[-0.27, 0.53, 0.19], [-1.1, 0.6, 0.3]],
@@ -26,7 +26,7 @@ const PLACES: [[Point; 2]; 3] = [
 const BOX: Point = [0.23, 0.41, 0.57];
 const CYLINDER: [f64; 2] = [0.17, 0.63];
 
-/// R_z(yaw) R_y(pitch) R_x(roll) of a vector.
+/// Applies R_z(yaw) R_y(pitch) R_x(roll) to a vector.
 fn turned([roll, pitch, yaw]: Point, v: Point) -> Point {
     let about = |axis: usize, angle: f64, v: Point| {
         let (sin, cos) = angle.sin_cos();
@@ -38,7 +38,7 @@ fn turned([roll, pitch, yaw]: Point, v: Point) -> Point {
     about(2, yaw, about(1, pitch, about(0, roll, v)))
 }
 
-/// The same turn as (w, x, y, z).
+/// Returns the same rotation as a quaternion (w, x, y, z).
 fn quaternion([roll, pitch, yaw]: Point) -> [f64; 4] {
     let about = |axis: usize, angle: f64| {
         let mut q = [(0.5 * angle).cos(), 0.0, 0.0, 0.0];
@@ -56,7 +56,7 @@ fn quaternion([roll, pitch, yaw]: Point) -> [f64; 4] {
     product(about(2, yaw), product(about(1, pitch), about(0, roll)))
 }
 
-/// A vector turned by a quaternion (w, x, y, z): v + 2 w u × v + 2 u × (u × v).
+/// Rotates a vector by a quaternion (w, x, y, z): v + 2 w u × v + 2 u × (u × v).
 fn turned_by([w, x, y, z]: [f64; 4], v: Point) -> Point {
     let cross = |a: Point, b: Point| {
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -71,14 +71,14 @@ fn numbers<const N: usize>(value: &Value) -> [f64; N] {
     values.try_into().unwrap()
 }
 
-/// A point of a shape's own frame, in its link's.
+/// Transforms a point from the frame of a shape to that of its link.
 fn in_link(shape: &Value, point: Point) -> Point {
     let (position, turn) =
         (numbers::<3>(&shape["position"]), turned_by(numbers(&shape["quaternion"]), point));
     std::array::from_fn(|k| position[k] + turn[k])
 }
 
-/// The triangles of a shape that is a mesh, in its link's frame.
+/// Returns the triangles of a mesh shape in the frame of its link.
 fn triangles(shape: &Value) -> Vec<[Point; 3]> {
     let vertices: Vec<Point> =
         f32s(&shape["vertices"]).chunks(3).map(|p| [p[0], p[1], p[2]].map(f64::from)).collect();
@@ -178,7 +178,8 @@ fn visuals_are_at_their_places_in_each_language_and_collisions_where_there_are_n
         let arm = shapes(&robot, "arm");
         let kinds: Vec<_> = arm.iter().map(|shape| shape["kind"].as_str().unwrap()).collect();
         assert_eq!(kinds, ["mesh", "box", "cylinder"], "{name}");
-        // The mesh: scaled, turned, moved; its outer side still outside, though it is mirrored.
+        // The mesh is scaled, rotated and translated. Its outer side stays outside despite the
+        // reflection.
         let [at, turn] = PLACES[0];
         let place = |p: Point| -> Point {
             let turned = turned(turn, std::array::from_fn(|k| SCALE[k] * p[k]));
@@ -191,7 +192,7 @@ fn visuals_are_at_their_places_in_each_language_and_collisions_where_there_are_n
             "{name}: {found:?} {expected:?}"
         );
         assert_eq!(arm[0]["of"], 3);
-        // The others: their origins and axes.
+        // For the other shapes: their origins and axes.
         for (shape, [at, turn]) in arm.iter().zip(PLACES).skip(1) {
             for v in [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
                 let turned = turned(turn, v);
@@ -228,7 +229,7 @@ fn collada_is_shown_in_metres() {
 
 #[test]
 fn many_triangles_are_made_coarser_together() {
-    // A wavy sheet of 80,000 triangles, twice, beside one of three, twice.
+    // A wavy sheet of 80,000 triangles, twice, and one of three triangles, twice.
     let (m, n) = (400, 100);
     let at = |i: i32, j: i32| {
         let (x, y) = (f64::from(i) * 0.01, f64::from(j) * 0.013);

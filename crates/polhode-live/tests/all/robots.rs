@@ -1,4 +1,4 @@
-//! Robots as they stand, their findings, and their repairs.
+//! Robots as read from their files, their findings, and their fixes.
 
 use serde_json::Value;
 
@@ -17,7 +17,7 @@ fn link<'a>(robot: &'a Value, name: &str) -> &'a Value {
     links(robot).iter().find(|link| link["name"] == name).unwrap()
 }
 
-/// R v, of a quaternion (w, x, y, z), by v + 2 w (u × v) + 2 u × (u × v).
+/// Rotates v by a quaternion (w, x, y, z): v + 2 w (u × v) + 2 u × (u × v).
 fn turned([w, x, y, z]: [f64; 4], v: [f64; 3]) -> [f64; 3] {
     let cross = |a: [f64; 3], b: [f64; 3]| {
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -102,7 +102,7 @@ fn a_bad_arm_has_its_verdicts_its_places_and_its_repair_and_is_not_written_to() 
     }
     let number = robot["findings"].as_array().unwrap().iter().find(|finding| finding["link"] == 1).unwrap();
     assert!(lines[number["line"].as_u64().unwrap() as usize - 1].contains("1,2"), "{number}");
-    // The repair is the text with its changed lines, and no others.
+    // The fix is the text with its changed lines only.
     let repair = &robot["repair"];
     let mut repaired: Vec<String> = lines.iter().map(|line| (*line).to_owned()).collect();
     let changes = repair["changes"].as_array().unwrap();
@@ -120,7 +120,8 @@ fn a_bad_arm_has_its_verdicts_its_places_and_its_repair_and_is_not_written_to() 
 
 #[test]
 fn the_equivalent_box_has_the_tensor() {
-    // A box of edges a, b, c, turned by roll, pitch and yaw, with its tensor as its definition has it.
+    // Box of edges a, b, c, rotated by roll, pitch and yaw, with its tensor computed from the
+    // definition.
     let (mass, edges, angles) = (2.7, [0.13, 0.31, 0.22_f64], [0.4, -0.7, 1.1_f64]);
     let squares = edges.map(|edge| edge * edge);
     let moments = [1, 2, 0].map(|k| mass / 12.0 * (squares[k] + squares[(k + 1) % 3]));
@@ -193,7 +194,7 @@ fn links_that_hang_on_nothing_or_on_themselves_stand_at_the_origin_and_say_so() 
     for name in noted {
         assert_eq!(numbers::<3>(&link(&robot, name)["position"]), [0.0; 3]);
     }
-    // A chain of many links is no recursion.
+    // A chain of many links is not processed recursively.
     let count = 20_000;
     let mut chain = "<robot name=\"chain\"><link name=\"0\"/>".to_owned();
     for k in 1..count {
@@ -208,14 +209,14 @@ fn links_that_hang_on_nothing_or_on_themselves_stand_at_the_origin_and_say_so() 
 
 #[test]
 fn a_dropped_robot_reads_no_file_outside_its_set() {
-    // A sound mesh outside, which would be measured if it were read.
+    // A valid mesh outside the folder, which would be measured if it were read.
     let folder = Folder::new("robot");
     let bracket = std::fs::read(repository("examples/bracket.stl")).unwrap();
     let secret = folder.file("secret.stl", &bracket).to_string_lossy().into_owned();
     let page = Page::open(&[]);
     assert_eq!(page.drop_file(3, "meshes/own.stl", &bracket).status, 200);
     assert_eq!(page.drop_file(4, "other.stl", &bracket).status, 200);
-    // A package file makes no root of what is around it.
+    // A package file does not make its surroundings a root folder.
     let package = b"<package><name>x</name></package>";
     assert_eq!(page.drop_file(3, "urdf/package.xml", package).status, 200);
     let robot = |uri: &str| {
@@ -252,7 +253,7 @@ fn a_dropped_robot_reads_no_file_outside_its_set() {
         let is_refused = ["outside the roots", "no root contains it", "does not exist", "are not opened"];
         assert!(is_refused.iter().any(|words| why.contains(words)), "{uri}: {why}");
     }
-    // A name that looks like a link to elsewhere is a name or none, and never a link.
+    // Names that look like links or paths to other folders are refused.
     for name in
         ["a -> /etc/passwd", "../r.urdf", "/etc/passwd", "urdf/../../r.urdf", "C:r.urdf", "r.urdf\0.stl"]
     {

@@ -1,4 +1,4 @@
-//! What nobody waits for any more ends, and leaves its turn to others.
+//! Computations that no client waits for end, and others take their turn.
 
 use std::io::Write as _;
 use std::net::{SocketAddr, TcpStream};
@@ -9,8 +9,8 @@ use serde_json::json;
 use crate::client::{Folder, Page};
 use crate::inspect::{Point, stl};
 
-/// Triangles from one point in all directions: each is near each other there, and none of them hang
-/// together.
+/// Returns triangles from one point in all directions. All are close to each other at that point,
+/// and none share an edge.
 fn star(count: usize) -> Vec<[Point; 3]> {
     let mut state = 1_u64;
     let mut chance = || {
@@ -25,7 +25,7 @@ fn star(count: usize) -> Vec<[Point; 3]> {
     (0..count).map(|_| ray()).collect()
 }
 
-/// What two that hang up after a while leave to a third.
+/// Returns the time that a third request waits after two others with the same request hung up.
 fn left_by_two(page: &Page, request: &str) -> Duration {
     let address = SocketAddr::from(([127, 0, 0, 1], page.port));
     let asked = [(); 2].map(|()| {
@@ -69,6 +69,6 @@ fn a_mesh_that_nobody_waits_for_is_left() {
         let left = left_by_two(&page, &request);
         assert!(left < Duration::from_secs(2), "{what}: {left:?}");
     }
-    // None of that was kept.
+    // None of these results was kept.
     assert_eq!(page.get("documents").json()["documents"].as_array().unwrap().len(), 3);
 }

@@ -1,4 +1,4 @@
-//! The book: its scenarios run, and it has every material, unit and column, and no other.
+//! The book: its scenarios run, and it lists exactly the known materials, units and columns.
 //! `schema.rs` compares its keys and names.
 
 use std::collections::BTreeSet;
@@ -105,7 +105,7 @@ fn the_book_has_every_column_of_a_rotor_in_gimbals() {
     assert_further_columns("### In gimbals", "[gimbals]\nouter_axis = [0, 0, 1]\ninner_axis = [1, 0, 0]\n");
 }
 
-/// The columns that a section of a scenario adds are those that the book has under a heading.
+/// Checks that the columns added by a section of a scenario are those under a heading of the book.
 #[track_caller]
 fn assert_further_columns(heading: &str, section_of_file: &str) {
     let page = read("book/results-tables.md");

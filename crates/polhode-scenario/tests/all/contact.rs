@@ -1,4 +1,4 @@
-//! Bodies on the ground in scenario files: what is read, and each mistake at its place.
+//! Bodies on the ground in scenario files: reading, and the place of each error.
 
 use polhode::math::Rotation;
 use polhode::motion::GroundContact;
@@ -22,7 +22,7 @@ fn parse(text: &str) -> Result<Scenario, FormatError> {
     scenario::parse(text, "test.toml".as_ref())
 }
 
-/// A scenario with these keys of its contact and of its start.
+/// Returns a scenario with these keys of its contact and of its start.
 fn text(contact: &str, start: &str) -> String {
     format!("{BODY}[contact]\n{contact}\n[start]\n{start}\n{RUN}")
 }
@@ -64,7 +64,7 @@ fn what_is_not_said_is_usual() {
     let friction = ground(&format!("{BALL}law = 'friction'\nfriction = 0.4\nrolls = true"), "");
     let Grip::Friction(coefficients) = *friction.contact.law.grip() else { panic!("friction") };
     assert_eq!([coefficients.kinetic, coefficients.sticking, coefficients.viscous], [0.4, 0.4, 0.0]);
-    // The lowest point of a bowl and the highest of a hill, by gravity.
+    // The lowest point of a bowl and the highest of a hill, relative to gravity.
     for (shape, side, height) in
         [("sphere", "inside", -1.0), ("sphere", "outside", 1.0), ("cylinder", "inside", -1.0)]
     {
@@ -100,7 +100,7 @@ fn the_motion_is_that_of_the_core() {
     assert_eq!(contact.samples().len(), motion.samples().len());
     assert_eq!(contact.start().phase, ContactPhase::Sliding);
     assert!(contact.energy_drift() < 1e-13, "{:e}", contact.energy_drift());
-    // The velocity at the start is that of the contact, its part along the normal with it.
+    // The initial velocity is that of the contact, including its normal component.
     assert_eq!(scenario.velocity(), contact.start().velocity);
     assert!(scenario.velocity().z.abs() > 1e-4, "{:?}", scenario.velocity());
     assert!(Drift::of(&motion).is_none(), "work and impulse are by the theorems");
@@ -134,7 +134,8 @@ fn a_velocity_on_a_slope_is_completed_along_the_normal_or_refused() {
         let normal = scenario.ground().unwrap().contact.ground.normal_at(Position::ZERO).unwrap();
         let along = polhode::math::Velocity::new(along[0], along[1], along[2]);
         assert!(along.dot(normal).abs() < 1e-15 && along.norm() > 0.3);
-        // The component along the normal is the rate of the height of the centre, by differences of its samples.
+        // The normal component equals the rate of the centre's height, from differences of the
+        // samples.
         let velocity = contact.start().velocity;
         let change = velocity - along;
         let rest = |k: usize| change.to_array()[k] - change.dot(normal) * normal.to_array()[k];
@@ -150,7 +151,7 @@ fn a_velocity_on_a_slope_is_completed_along_the_normal_or_refused() {
     }
 }
 
-/// What stands at the place of an error, and what it says.
+/// Checks the text at the place of each error, and its message.
 #[test]
 fn each_mistake_has_its_place() {
     let rolling = format!("{BALL}law = 'rolling'");
@@ -278,7 +279,7 @@ fn what_excludes_a_contact_is_refused() {
             "includes that of its centre of mass",
         ),
     ] {
-        // [body] stands before its parts.
+        // [body] precedes its parts.
         let text =
             if more.starts_with("[body]") { format!("{more}\n{base}") } else { format!("{base}{more}\n") };
         let error = parse(&text).err().unwrap_or_else(|| panic!("{more} is read"));

@@ -1,4 +1,4 @@
-//! What the titles and comments of the examples of bodies on the ground promise.
+//! Statements in titles and comments of the examples of bodies on the ground.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ fn read(name: &str) -> Scenario {
     scenario::read(&path).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The motion, with energy in balance, and nothing noticed about the scenario.
+/// Returns the motion; checks the energy balance, and that there are no findings.
 fn motion(scenario: &Scenario) -> Held<ContactState> {
     let motion = scenario.simulate().unwrap().unwrap();
     let contact = Held::of(motion, CONTACT);
@@ -29,7 +29,7 @@ fn spin(s: &ContactState) -> f64 {
     s.state.omega_space().z
 }
 
-/// Of the body's z axis from the vertical, degrees.
+/// Returns the angle between the body's z axis and the vertical, degrees.
 fn tilt(s: &ContactState) -> f64 {
     let axis: Direction<Space> = s.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
     axis.z.clamp(-1.0, 1.0).acos().to_degrees()
@@ -52,7 +52,7 @@ fn the_rattleback_turns_back() {
     let most = motion.samples().iter().map(spin).fold(0.0, f64::max);
     close(most, 5.35, 0.01);
     assert!(spin(motion.samples().last().unwrap()) > 5.0, "and keeps it");
-    // Without the product it would not.
+    // Without the product of inertia it would not reverse.
     let text =
         std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/rattleback.toml"));
     let straight = text.unwrap().replace("\"-2e-5 kg m^2\"", "0");
@@ -65,7 +65,7 @@ fn the_rattleback_turns_back() {
 fn eulers_disk_whirls_ever_faster() {
     let scenario = read("eulers-disk.toml");
     let motion = self::motion(&scenario);
-    // The rate of the point of contact about the middle, between 40 samples of 5 ms.
+    // Mean rate of the azimuth of the point of contact over 40 samples of 5 ms.
     let whirl = |time: f64| {
         let k = motion.samples().iter().position(|s| s.state.time >= time - 1e-9).unwrap();
         let angle = |s: &ContactState| {
@@ -82,7 +82,7 @@ fn eulers_disk_whirls_ever_faster() {
     close(tilt(at(&motion, 10.0)), 4.6, 0.1);
     assert!(motion.samples().iter().all(|s| s.center.x.hypot(s.center.y - 0.0318) < 0.003), "it stays");
     assert!(spin(motion.start()) > 12.0 && spin(motion.samples().last().unwrap()) < -4.0);
-    // To its end.
+    // The motion to its end.
     let long = scenario.sampled(Run { times: vec![0.0, 20.0], method: Method::Auto, tolerance: 1e-13 });
     let long = long.simulate().unwrap().unwrap();
     let [change] = long.changes() else { panic!("{:?}", long.ending()) };
@@ -118,14 +118,14 @@ fn the_coin_spirals_and_falls() {
     close(tilt(start), 75.0, 1e-9);
     close(tilt(at(&motion, 3.0)), 46.0, 0.5);
     close(tilt(at(&motion, 6.0)), 5.2, 0.3);
-    // How wide the path of the point of contact is in a while.
+    // Extent of the path of the point of contact during an interval.
     let width = |from: f64, to: f64| {
         let path = motion.samples().iter().filter(|s| (from..to).contains(&s.state.time));
         let ends = path.map(|s| s.contact.x).fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x), b.max(x)]);
         ends[1] - ends[0]
     };
     assert!(width(0.0, 2.0) > 0.2 && width(5.5, 7.0) < 0.05, "{} {}", width(0.0, 2.0), width(5.5, 7.0));
-    // Without rolling friction it is a circle of 20 cm, for ever.
+    // Without rolling friction the path is a circle of 20 cm, forever.
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/coin.toml");
     let text = std::fs::read_to_string(path).unwrap();
     let circle: String = text
@@ -182,7 +182,7 @@ fn the_hoop_gains_half_of_what_slides() {
     let (first, last) = (motion.samples()[0], *motion.samples().last().unwrap());
     let gained = (last.velocity.norm() - first.velocity.norm()) / 3.0;
     let sliding = 9.80665 * 10_f64.to_radians().sin();
-    // 1/(1 + I/(m ρ²)), ρ of the outside of the tube.
+    // 1/(1 + I/(m ρ²)), with the outer radius ρ of the tube.
     let share = 0.306_f64.powi(2) / (0.306_f64.powi(2) + 0.09 + 0.75 * 0.006_f64.powi(2));
     close(gained / sliding, share, 1e-12);
     close(gained, 0.87, 0.005);

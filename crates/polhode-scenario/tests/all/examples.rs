@@ -1,4 +1,4 @@
-//! The examples: every one is read and computed, and the lecture notes' have the notes' numbers.
+//! The examples are read and computed; those of the lecture notes give the numbers of the notes.
 
 use std::f64::consts::PI;
 use std::fs;
@@ -41,7 +41,7 @@ fn every_example_is_read_and_computed() {
     assert!(count >= 10, "{count}");
 }
 
-/// Whatever a file is cut to, it is read or refused, at a place that it has.
+/// A truncated file is either read, or refused at an existing place.
 #[test]
 fn a_file_cut_anywhere_is_answered() {
     for name in ["t-handle.toml", "bracket.toml", "notes/11-04-pendulum.toml", "notes/11-10-dumbbell.toml"] {
@@ -75,17 +75,17 @@ fn example_11_4_the_pendulum() {
     close(pendulum.small_frequency().powi(2), squared, 1e-14);
     close(pendulum.moment(), (m1 + m2 / 4.0) * b * b, 1e-15);
     close(pendulum.angle(), PI / 6.0, 1e-15);
-    // The sign that the notes lose: the torque drives it back.
+    // Sign that the notes omit: the torque is restoring.
     let samples = scenario.simulate().unwrap().unwrap();
     let first = samples.samples().first().unwrap();
     close(first.torque.z, -(m1 + m2 / 2.0) * b * g * 0.5, 1e-14);
-    // It swings as the closed form says: a period after the start it is back.
+    // The swing agrees with the closed form: it returns after one period.
     let period = pendulum.period(PI / 6.0);
     let mut once = scenario.clone();
     once = once.sampled(Run { times: vec![0.0, period], method: Method::Auto, tolerance: 1e-14 });
     let end = once.simulate().unwrap().unwrap().samples()[1].state;
     assert!(end.attitude.angle_to(scenario.start().attitude) < 1e-11);
-    // The run stays on the axis: nothing warns that it would not.
+    // The run stays on the axis, so there is no warning.
     assert_eq!(scenario.findings().iter().map(|f| f.code).collect::<Vec<_>>(), ["body.rod"]);
 }
 
@@ -100,12 +100,12 @@ fn example_11_5_the_principal_axes() {
     assert_eq!(principal.symmetry(), Symmetry::Prolate);
     let diagonal = Direction::new(1.0, 1.0, 1.0);
     assert!(principal.axis(0).angle_to(diagonal) < 1e-15);
-    // The notes' own choice lies in the plane of the free pair.
+    // The axes chosen in the notes lie in the plane of the degenerate pair.
     for axis in [Direction::new(1.0, -1.0, 0.0), Direction::new(-1.0, -1.0, 2.0)] {
         close(rotor.inertia().about_axis(axis), 11.0 / 12.0, 1e-15);
         assert!(principal.axis(0).dot(axis).abs() < 1e-15);
     }
-    // Spun about the diagonal, it stays there.
+    // A spin about the diagonal is permanent.
     let motion = scenario.simulate().unwrap().unwrap();
     let last = motion.samples().last().unwrap();
     assert!((last.state.omega - AngularVelocity::new(2.0, 2.0, 2.0)).norm() < 1e-14);
@@ -140,7 +140,7 @@ fn the_symmetric_top_goes_round_its_two_cones() {
         close(x, 1.5 * cos + 0.8 * sin, 1e-13);
         close(y, 1.5 * sin - 0.8 * cos, 1e-13);
         close(z, 10.0, 1e-15);
-        // L, ω and the symmetry axis stay in one plane.
+        // L, ω and the symmetry axis stay in a plane.
         let l = sample.state.attitude.inverse() * sample.momentum;
         let [lx, ly, _] = l.to_array();
         assert!((lx * y - ly * x).abs() < 1e-14);
@@ -162,7 +162,7 @@ fn the_t_handle_flips() {
 fn the_bracket_has_no_symmetry() {
     let scenario = read("bracket.toml");
     let part = &scenario.parts()[0];
-    // A plate and an upright with a slope, without a hole that a 48-gon fills.
+    // A plate and an upright with a slope, minus a hole approximated by a 48-gon.
     let hole = 24.0 * 8.0_f64.powi(2) * (2.0 * PI / 48.0).sin() * 5.0;
     let volume = (60.0 * 40.0 * 5.0 + 5.0 * 40.0 * (22.5) - hole) * 1e-9;
     close(part.extent.unwrap().measure() / volume, 1.0, 1e-7);
@@ -186,7 +186,7 @@ fn curtis_tube_precesses_at_the_rate_of_the_book() {
     assert_eq!(rotor.inertia().matrix(), [[125.0, 0.0, 0.0], [0.0, 125.0, 0.0], [0.0, 0.0, 100.0]]);
     let momentum = rotor.angular_momentum_space(&scenario.start());
     close(momentum.norm() / 125.0 * 60.0, 26.7457, 5e-5);
-    // The spin relative to the precessing frame: ω_z − φ' cos θ.
+    // Spin relative to the precessing frame: ω_z − φ' cos θ.
     let rate = momentum.norm() / 125.0;
     close(scenario.start().omega.z - rate * 20_f64.to_radians().cos(), 2.0 * PI / 60.0, 1e-14);
     assert!(momentum.angle_to(Direction::<Space>::new(0.0, 0.0, 1.0)) < 1e-15);
@@ -199,7 +199,7 @@ fn the_satellite_librates_about_the_vertical() {
     assert!(iz < 0.1 * ix && (ix / iy - 1.0).abs() < 0.02);
     let n = 1.106_816_5e-3;
     let motion = scenario.simulate().unwrap().unwrap();
-    // Of the boom from the vertical: in the plane, forward, and out of it.
+    // Angles of the boom from the vertical: in the plane, forward, and out of the plane.
     let angles = motion.samples().iter().map(|sample| {
         let boom = sample.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
         let (sin, cos) = (n * sample.state.time).sin_cos();
@@ -210,7 +210,7 @@ fn the_satellite_librates_about_the_vertical() {
     let most = |f: fn(&(f64, f64, f64)) -> f64| angles.iter().map(f).fold(0.0, f64::max).to_degrees();
     let (pitch, roll) = (most(|a| a.1.abs()), most(|a| a.2.abs()));
     assert!((25.0..26.0).contains(&pitch) && (10.0..10.5).contains(&roll), "{pitch} {roll}");
-    // From one passage of the vertical to the next but one.
+    // Mean period: twice the mean interval between passages of the vertical.
     let period = |f: fn(&(f64, f64, f64)) -> f64| {
         let crossings = angles.windows(2).filter(|w| f(&w[0]) * f(&w[1]) < 0.0);
         let times: Vec<f64> = crossings
@@ -221,8 +221,8 @@ fn the_satellite_librates_about_the_vertical() {
             .collect();
         2.0 * (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64
     };
-    // Small librations: 3 n² (Ix − Iz)/Iy in the plane, n² + 3 n² (Ix − Iz)/Iy out of it; wide ones are slower, by
-    // 2 K(sin² θ₀)/π.
+    // Small librations: 3 n² (Ix − Iz)/Iy in the plane, n² + 3 n² (Ix − Iz)/Iy out of it. Large
+    // ones are slower by the factor 2 K(sin² θ₀)/π.
     let small = 3.0 * (ix - iz) / iy;
     let wide = EllipticParameter::new(25_f64.to_radians().sin().powi(2)).unwrap().k() / (PI / 2.0);
     close(period(|a| a.1) / (2.0 * PI * wide / (n * small.sqrt())), 1.0, 0.005);
@@ -251,7 +251,7 @@ fn the_thruster_adds_what_its_torque_says() {
     assert!(moments[0] < 0.99 * moments[1] && moments[1] < 0.99 * moments[2]);
     let motion = scenario.simulate().unwrap().unwrap();
     let (first, last) = (motion.samples()[0], *motion.samples().last().unwrap());
-    // The work of the torque is the energy gained.
+    // The work of the torque equals the gain in energy.
     close((last.kinetic_energy - first.kinetic_energy) / last.work, 1.0, 1e-10);
 }
 
@@ -311,17 +311,18 @@ fn the_minor_axis_spinner_ends_in_a_flat_spin() {
     let scenario = read("flat-spin.toml");
     let motion = scenario.simulate().unwrap().unwrap();
     let (first, last) = (motion.samples()[0], *motion.samples().last().unwrap());
-    // 0.4 rad/s about an axis across, and 96 % of the energy gone: L/5 and 1 − 0.2/5, but for the tilt at the start.
+    // 0.4 rad/s about a transverse axis, and 96 % of the energy lost: L/5 and 1 − 0.2/5, except for
+    // the initial tilt.
     close(first.state.omega.norm(), 10.0, 1e-7);
     close(last.state.omega.norm(), 0.4, 2e-5);
     close(1.0 - last.kinetic_energy / first.kinetic_energy, 0.96, 5e-6);
     let drift = (last.momentum - first.momentum).norm();
     assert!(last.state.omega.z.abs() < 1e-4 && drift < 1e-11, "{last:?} {drift:e}");
-    // On the way it is the closed form: tan θ = tan θ0 exp(α L² (1/0.2 − 1/5) t).
+    // In between it follows the closed form: tan θ = tan θ0 exp(α L² (1/0.2 − 1/5) t).
     let tangent = |s: &Sample| 5.0 * s.state.omega.x.hypot(s.state.omega.y) / (0.2 * s.state.omega.z);
     let rate = 0.002 * first.momentum.dot(first.momentum) * (1.0 / 0.2 - 1.0 / 5.0);
     for sample in motion.samples().iter().take_while(|s| s.state.time < 200.0) {
-        // Steps are good to 1e-13 of 10 rad/s, and the tilt is 0.0035 rad/s.
+        // Steps are accurate to 1e-13 of 10 rad/s, and the tilt is 0.0035 rad/s.
         close(tangent(sample) / (tangent(&first) * (rate * sample.state.time).exp()), 1.0, 1e-9);
     }
 }

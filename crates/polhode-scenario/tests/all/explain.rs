@@ -1,4 +1,4 @@
-//! The worked solutions: their numbers against formulas computed here, and their form.
+//! Worked solutions: their numbers compared with formulas computed here, and their format.
 
 use polhode::math::{Direction, Position, Rotation};
 use polhode::motion::Scenario;
@@ -11,7 +11,7 @@ use polhode_shape::report::InertiaReport;
 
 use crate::common::Solution;
 
-/// All text of one section.
+/// Returns the text of one section.
 fn section(document: &Document, number: usize) -> String {
     let mut one = document.clone();
     one.sections = vec![document.sections[number].clone()];
@@ -19,7 +19,7 @@ fn section(document: &Document, number: usize) -> String {
     one.to_text(100)
 }
 
-/// Numbers that follow a piece of text.
+/// Returns the numbers that follow a text.
 fn after(text: &str, marker: &str) -> Vec<f64> {
     let start = text.find(marker).unwrap_or_else(|| unreachable!("no {marker:?} in\n{text}")) + marker.len();
     let line = text[start..].lines().next().unwrap_or_default();
@@ -61,7 +61,7 @@ fn the_dumbbell_finds_the_torque_and_answers_the_notes_question() {
     }
     assert!(document.answer.iter().any(|line| line.contains("The motion requires N =")));
     assert!(euler.contains("Σ rα × Fα"));
-    // The tensor of the notes, term by term, and the rod named.
+    // The tensor of the notes, term by term; the text names the rod.
     let tensor = section(&document, 3);
     assert!(tensor.contains("Ixx = Σ m (y² + z²) = 1.2·(0² + 0.5²) + 0.7·(0² + (-0.5)²) = 0.475 kg·m²"));
     assert!(tensor.contains("a rod: axis 1 is its line"));
@@ -75,7 +75,7 @@ fn the_pendulum_swings_at_the_notes_frequency() {
     let small = ((m1 + 0.5 * m2) / (m1 + 0.25 * m2) * g / b).sqrt();
     near(after(&solved, "    ω0 = ")[0], small);
     near(after(&solved, "    ω0² = ")[4], small * small);
-    // The minus sign that the notes lose.
+    // The minus sign that the notes omit.
     assert!(solved.contains("θ\u{308} ≃ −ω0² θ"));
     near(after(&solved, "-ω0² sin θ = ")[0], -small * small * angle.sin());
     // Pendulum series: P/P0 = 1 + θ²/16 + 11 θ⁴/3072 + …
@@ -126,7 +126,7 @@ fn the_asymmetric_body_is_classified() {
 fn a_constant_torque_enters_eulers_equations() {
     let document = explain(&crate::common::thruster()).unwrap();
     let rate = after(&section(&document, 4), "ω\u{307}  = ");
-    // By hand: I ω̇ = N − ω × I ω in body axes, the residual of the printed ω̇.
+    // The residual of I ω̇ = N − ω × I ω in body axes, with the printed ω̇.
     let i = [[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]];
     let (w, n) = ([0.7, -1.1, 0.4], [0.3, -0.1, 0.2]);
     let times = |v: &[f64]| i.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
@@ -155,7 +155,7 @@ fn a_body_without_start_or_run_is_explained_too() {
     }
 }
 
-/// Everything that is printed for a scenario.
+/// Returns all printed forms of the scenarios.
 fn faces() -> Vec<(String, String)> {
     let mut faces = Vec::new();
     for Solution { scenario, trajectory, document } in crate::common::solutions() {
@@ -191,7 +191,7 @@ fn nothing_prints_nan_or_infinity_or_minus_zero_or_trailing_space() {
     }
 }
 
-/// Columns on a terminal.
+/// Returns the number of columns on a terminal.
 fn columns(line: &str) -> usize {
     line.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }
@@ -202,7 +202,7 @@ fn text_fits_the_width_asked_for() {
         for line in document.to_text(100).lines() {
             assert!(columns(line) <= 100, "{}: {line}", columns(line));
         }
-        // Tables, matrices and graphs do not break; everything else does.
+        // Tables, matrices and graphs cannot be broken; all other lines can.
         let mut breakable = document.clone();
         for section in &mut breakable.sections {
             section
@@ -303,7 +303,7 @@ fn instability_is_spoken_of_near_the_intermediate_axis_only() {
     assert_eq!(near.matches("ω starts 5.71° from").count(), 3, "{near}");
     let far = spinning([1.0, 2.0, 3.0], [1.0, 1.0, 1.0]);
     assert!(!far.contains("σ =") && !far.contains("grows as"), "{far}");
-    // Two equal moments: no axis is intermediate.
+    // With two equal moments no axis is intermediate.
     for omega in [[0.0, 2.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 2.0], [1.0, 2.0, 0.0], [0.1, 2.0, 0.0]] {
         for moments in [[2.0, 2.0, 1.0], [2.0, 2.0, 3.0], [1.0, 2.0, 2.0]] {
             let text = spinning(moments, omega);
@@ -337,7 +337,7 @@ fn markdown_is_well_formed() {
         assert_eq!(text.lines().filter(|l| *l == "$$").count() % 2, 0);
         assert_eq!(text.lines().filter(|l| l.starts_with("```")).count() % 2, 0);
         assert!(!text.contains('\u{a0}') || !text.contains("```text\n\u{a0}"));
-        // Tables: every row has the cells of its head.
+        // In tables, each row has as many cells as the header.
         let cells = |line: &str| line.replace("\\|", "").matches('|').count();
         for pair in text.lines().collect::<Vec<_>>().windows(2) {
             if pair[0].starts_with('|') && pair[1].starts_with('|') {
@@ -350,7 +350,7 @@ fn markdown_is_well_formed() {
                     assert_eq!(latex.matches('{').count(), latex.matches('}').count(), "{latex}");
                     assert_eq!(latex.matches("\\begin").count(), latex.matches("\\end").count());
                     assert!(latex.is_ascii(), "{latex}");
-                    // Markdown takes a backslash before punctuation for its own.
+                    // In Markdown a backslash before punctuation is an escape.
                     let bytes = latex.as_bytes();
                     let eaten = bytes.windows(2).any(|w| w[0] == b'\\' && w[1].is_ascii_punctuation());
                     assert!(!eaten, "{latex}");
@@ -360,7 +360,8 @@ fn markdown_is_well_formed() {
     }
 }
 
-/// A wheel and friction in a body of 2, 3, 4 kg·m² that turns at (1, 2, 3) rad/s: every number by hand.
+/// Wheel and friction in a body of 2, 3, 4 kg·m² that rotates at (1, 2, 3) rad/s; all numbers from
+/// independent formulas.
 #[test]
 fn what_moves_inside_is_worked_out() {
     use polhode::body::{InertiaTensor, MassProperties};
@@ -389,10 +390,10 @@ fn what_moves_inside_is_worked_out() {
     ] {
         assert!(text.contains(line), "{line} is missing in\n{text}");
     }
-    // Least energy: ω along L, the wheel's way, at |L| = 4 ω + 5.
+    // Least energy: ω is along L, on the side of the wheel, with |L| = 4 ω + 5.
     let end = section(&document, 5);
     near(after(&end, "ω = (0, 0, ")[0], (329_f64.sqrt() - 5.0) / 4.0);
-    // Without friction, and with a motor that stops: L = 0 stays, and the body turns back.
+    // Without friction and with a motor that stops: L stays 0, and the body rotates backwards.
     let schedule = Some(polhode::motion::torque::Schedule::window(1.0, 3.0).unwrap());
     let motor = Motor::Torque { inertia: 0.5, torque: 0.7, schedule };
     let turned = Wheel::new(Direction::new(0.0, 0.0, 1.0), 0.0, motor).unwrap();
@@ -401,7 +402,7 @@ fn what_moves_inside_is_worked_out() {
     assert!(text.contains("ω = −{I}⁻¹ h = (0, 0, -0.4) rad/s"), "{text}");
 }
 
-/// What was looked out for in vain, and the steady rates of a top, stand on the screen and not in the JSON only.
+/// Events that did not happen, and the steady rates of a top, are in the text and in the JSON.
 #[test]
 fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
     use polhode::math::{AngularVelocity, Attitude};
@@ -422,10 +423,10 @@ fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
     let trajectory = scenario.simulate().unwrap().unwrap();
     let source = SourceInfo::new("a.toml", "scenario");
     let text = MotionReport::new(source, &scenario, &trajectory).to_text();
-    // In one line, however the screen breaks it.
+    // Joined to one line, independent of line breaks.
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("never happened too fast"), "{text}");
-    // A cos θ φ̇² − C ω3 φ̇ + M g l = 0 in the middle of the nutation
+    // A cos θ φ̇² − C ω3 φ̇ + M g l = 0 at the middle of the nutation.
     let (slow, across) = (after(&text, " steady precession ")[0], 0.3 + 1.5 * 0.16);
     let middle = after(&text, "without nutation at ")[0].to_radians();
     let rest = |rate: f64| across * middle.cos() * rate * rate - 0.2 * 60.0 * rate + 1.5 * 9.80665 * 0.4;

@@ -1,5 +1,5 @@
-//! The table of step 5 does not alias with the motion, and zeros and angles of step 6 are those
-//! that the attitude determines.
+//! The table of step 5 does not alias with the motion. Zeros and angles of step 6 are those that
+//! the attitude determines.
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
@@ -11,7 +11,7 @@ use polhode_scenario::report::explain;
 
 use crate::common::{pendulum, run, spinning, symmetric_top, tensor};
 
-/// Rows t, ωx, ωy, ωz of the last table of step 5: there may be one of modes before it.
+/// Returns the rows t, ωx, ωy, ωz of the last table of step 5; a table of modes may precede it.
 fn rows(scenario: &Scenario) -> Vec<[f64; 4]> {
     let document = explain(scenario).unwrap();
     let table = document.sections[5].blocks.iter().rev().find_map(|block| match block {
@@ -35,7 +35,7 @@ fn near(got: f64, want: f64, size: f64) {
 
 #[test]
 fn a_pendulum_is_shown_over_one_period() {
-    // 51 samples a period too late each: rows of the run's samples would alias
+    // Rows at the samples of the run would alias with the period.
     for duration in [10.0, 100.0] {
         let scenario = pendulum().sampled(run(duration, 7));
         let axis = Direction::<Body>::new(0.0, 0.0, 1.0);
@@ -81,7 +81,8 @@ fn a_free_top_turns_forward_by_an_eighth_a_row() {
 
 #[test]
 fn without_a_period_a_turn_has_several_rows() {
-    // An asymmetric body on a torsion spring, slow and stiff: ω oscillates far faster than the body turns.
+    // Slowly rotating asymmetric body on a stiff torsion spring: ω oscillates much faster than the
+    // body rotates.
     let body = tensor("spring", [0.31, 0.47, 0.58], [0.02, -0.03, 0.05], [0.0, 0.0, 0.02]);
     let torsion = Torsion::spring(40.0, Attitude::identity()).unwrap();
     for duration in [0.05, 60.0] {
@@ -133,7 +134,7 @@ fn a_steady_turn_ends_without_noise() {
 
 #[test]
 fn a_run_that_is_shorter_than_the_period_is_shown_whole() {
-    // A wobble of 304.5 turns; the run is of a third of it.
+    // A wobble of 304.5 turns; the run covers a third of it.
     let body = tensor("Earth", [1.0, 1.0, 1.003_284_548_3], [0.0; 3], [1e-6, 0.0, 1.0]);
     let duration = 640.0;
     let scenario = body.sampled(run(duration, 11));

@@ -1,4 +1,5 @@
-//! What is written reads back: by a parser of another's, or by a few lines of the format's own rules.
+//! Exported files are read back, by an independent parser or by a few lines from the rules of the
+//! format.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +12,7 @@ use roxmltree::{Document, Node};
 
 type Matrix = [[f64; 3]; 3];
 
-/// Particles in no symmetric place, away from the origin.
+/// Particles at generic positions away from the origin.
 const PARTICLES: [(f64, [f64; 3]); 5] = [
     (0.7, [0.31, -0.12, 0.83]),
     (1.3, [-0.45, 0.27, 0.19]),
@@ -27,13 +28,13 @@ fn generic() -> ExportBody {
     ExportBody::new(NAME, mass_properties_of_particles(&particles).unwrap())
 }
 
-/// A body of given tensor elements, products negative integrals.
+/// Returns a body with these tensor elements; products are negative integrals.
 fn tensor(moments: [f64; 3], products: [f64; 3], mass: f64, center: [f64; 3]) -> ExportBody {
     let inertia = InertiaTensor::with_negative_products(moments, products).unwrap();
     ExportBody::new(NAME, MassProperties::new(mass, Position::from_array(center), inertia).unwrap())
 }
 
-/// The tensor about the origin, from its definition: Σ m (r² δ_ij − x_i x_j).
+/// Returns the tensor about the origin from its definition: Σ m (r² δ_ij − x_i x_j).
 fn about_origin() -> Matrix {
     let element = |i: usize, j: usize| -> f64 {
         let term = |(m, p): &(f64, [f64; 3])| {
@@ -45,14 +46,14 @@ fn about_origin() -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| element(i, j)))
 }
 
-/// J_ij = I_ij + M (c² δ_ij − c_i c_j)
+/// Returns J_ij = I_ij + M (c² δ_ij − c_i c_j).
 fn moved_to_origin(central: Matrix, mass: f64, c: [f64; 3]) -> Matrix {
     let square: f64 = c.iter().map(|x| x * x).sum();
     let steiner = |i: usize, j: usize| mass * (if i == j { square } else { 0.0 } - c[i] * c[j]);
     std::array::from_fn(|i| std::array::from_fn(|j| central[i][j] + steiner(i, j)))
 }
 
-/// R diag(moments) Rᵀ, R of a quaternion scalar first.
+/// Returns R diag(moments) Rᵀ, with R from a quaternion (w, x, y, z).
 fn rebuilt(moments: [f64; 3], [w, x, y, z]: [f64; 4]) -> Matrix {
     let r = [
         [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
@@ -63,7 +64,7 @@ fn rebuilt(moments: [f64; 3], [w, x, y, z]: [f64; 4]) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| element(i, j)))
 }
 
-/// Of ixx, ixy, ixz, iyy, iyz, izz.
+/// Returns the matrix with the elements ixx, ixy, ixz, iyy, iyz, izz.
 fn symmetric([ixx, ixy, ixz, iyy, iyz, izz]: [f64; 6]) -> Matrix {
     [[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]]
 }
@@ -93,7 +94,7 @@ fn node<'a>(document: &'a Document<'_>, tag: &str) -> Node<'a, 'a> {
     document.descendants().find(|node| node.has_tag_name(tag)).unwrap()
 }
 
-/// Mass, centre and central tensor along the body's axes.
+/// Mass, centre of mass, and central tensor along the body axes.
 type Read = (f64, [f64; 3], Matrix);
 
 fn read_urdf(text: &str) -> Read {
@@ -141,7 +142,7 @@ fn read_usd(text: &str) -> Read {
     (value("mass").parse().unwrap(), floats(value("centerOfMass")), central)
 }
 
-/// What stands before and after every `=`.
+/// Returns the texts before and after each `=`.
 fn read_solidworks(text: &str) -> BTreeMap<String, String> {
     let cells = text.lines().flat_map(|line| line.split('\t'));
     let pair = |cell: &str| {
@@ -151,7 +152,7 @@ fn read_solidworks(text: &str) -> BTreeMap<String, String> {
     cells.filter_map(pair).collect()
 }
 
-/// The cells of the rows under the names of their columns.
+/// Returns the cells of the rows by column name.
 fn read_csv(text: &str) -> Vec<BTreeMap<String, String>> {
     let split = |line: &str| {
         let (mut cells, mut quoted) = (vec![String::new()], false);
@@ -179,7 +180,8 @@ fn read_csv(text: &str) -> Vec<BTreeMap<String, String>> {
     lines.map(row).collect()
 }
 
-/// The kilogram in pounds and so on, as the international yard and pound and the standard gravity have them.
+/// Reads JSBSim data. Pounds, slugs and feet are defined by the international yard and pound and by
+/// standard gravity.
 fn read_jsbsim(text: &str) -> Read {
     let document = Document::parse(text).unwrap();
     let value = |tag, unit| {
@@ -197,7 +199,7 @@ fn read_jsbsim(text: &str) -> Read {
     (value("emptywt", "LBS") * 0.453_592_37, center, symmetric(elements))
 }
 
-/// The numbers after `name = `, brackets aside.
+/// Returns the numbers after `name = `, without brackets.
 fn python<const N: usize>(text: &str, name: &str) -> [f64; N] {
     let line = text.lines().find(|line| line.trim_start().starts_with(&format!("{name} = "))).unwrap();
     floats(&line.split_once(" = ").unwrap().1.replace(['[', ']'], " "))
@@ -225,7 +227,7 @@ fn read(format: ExportFormat, text: &str) -> Read {
             let values = read_solidworks(text);
             let value = |label: &str| values[label].split(' ').next().unwrap().parse::<f64>().unwrap();
             let center = ["X", "Y", "Z"].map(value);
-            // positive tensor notation
+            // Products with the positive-tensor sign convention.
             let [lxy, lxz, lyz] = ["Lxy", "Lxz", "Lyz"].map(|label| -value(label));
             let [lxx, lyy, lzz] = ["Lxx", "Lyy", "Lzz"].map(value);
             (value("Mass"), center, symmetric([lxx, lxy, lxz, lyy, lyz, lzz]))
@@ -240,7 +242,8 @@ fn read(format: ExportFormat, text: &str) -> Read {
     }
 }
 
-/// Formats whose tensor is along principal axes, so that rebuilding it rounds.
+/// Returns true for formats with a tensor along principal axes, for which the reconstruction
+/// rounds.
 fn principal(format: ExportFormat) -> bool {
     matches!(format, ExportFormat::MjcfPrincipal | ExportFormat::Usd)
 }
@@ -267,7 +270,7 @@ fn numbers_read_back_bit_for_bit() {
             let (mass, center, central) = read(format, &write(format, body));
             let properties = &body.properties;
             if format == ExportFormat::JsbSim {
-                // Other units round.
+                // Formats with other units round.
                 assert!((mass / properties.mass() - 1.0).abs() < 1e-15);
                 close([center; 3], [properties.center_of_mass().to_array(); 3], 1e-15);
                 close(central, properties.inertia().matrix(), 1e-15);
@@ -288,7 +291,7 @@ fn numbers_read_back_bit_for_bit() {
 fn usd_is_still_the_body_in_single_precision() {
     let body = generic();
     let text = write(ExportFormat::Usd, &body);
-    // What a reader of USD has: its attributes are f32.
+    // USD attributes are f32.
     let single = |x: f64| f64::from(x as f32);
     let moments = floats(usd_value(&text, "diagonalInertia")).map(single);
     let quaternion = floats(usd_value(&text, "principalAxes")).map(single);
@@ -302,12 +305,12 @@ fn solidworks_proves_its_sign() {
     assert_eq!(text.matches("(Using positive tensor notation.)").count(), 2);
     let values = read_solidworks(&text);
     let value = |label: &str| values[label].split(' ').next().unwrap().parse::<f64>().unwrap();
-    // Ixy = +Σ m x y, as SolidWorks has it
+    // Ixy = +Σ m x y, the convention of SolidWorks.
     let product: f64 = PARTICLES.iter().map(|(m, p)| m * p[0] * p[1]).sum();
     assert!((value("Ixy") - product).abs() < 1e-15);
     let [i12, i23] = [about_origin()[0][1], about_origin()[1][2]];
     assert!((value("Ixy") + i12).abs() < 1e-15 && (value("Izy") + i23).abs() < 1e-15);
-    // Ixz = Lxz + M x z with this sign alone
+    // Ixz = Lxz + M x z holds for this sign only.
     let steiner = value("Mass") * value("X") * value("Z");
     assert!((value("Ixz") - value("Lxz") - steiner).abs() < 1e-15);
     assert!((value("Ixz") - value("Lxz") + steiner).abs() > 0.1);
@@ -319,7 +322,7 @@ fn solidworks_proves_its_sign() {
     ] {
         assert!(text.contains(&format!("\n{line}{unit}\n")), "{text}");
     }
-    // the axes belong to the moments: R diag Rᵀ is the tensor
+    // The axes correspond to the moments: R diag Rᵀ is the tensor.
     let axes: [[f64; 3]; 3] = ["Ix", "Iy", "Iz"].map(|label| floats(&values[label]));
     let moments = ["Px", "Py", "Pz"].map(value);
     let element = |i: usize, j: usize| (0..3).map(|k| axes[k][i] * moments[k] * axes[k][j]).sum();
@@ -376,7 +379,7 @@ fn names_survive_xml() {
         let document = Document::parse(&text).unwrap();
         assert_eq!(node(&document, tag).attribute("name"), Some(name));
     }
-    // What XML cannot say is shown, so that the file still is XML.
+    // Characters that XML cannot contain are written in words, so that the file is valid XML.
     let body = ExportBody { name: "bell \u{7}, null \u{0}, \u{ffff}".to_owned(), ..generic() };
     for format in [ExportFormat::Urdf, ExportFormat::Sdf, ExportFormat::Mjcf] {
         let text = write(format, &body);
@@ -501,7 +504,7 @@ fn every_file_says_what_it_is_and_who_wrote_it() {
         let text = write(format, &body);
         if format != ExportFormat::Csv {
             assert!(text.lines().take(2).any(|line| line.contains(&version)), "{text}");
-            // around the numbers nothing but ASCII
+            // The text around the numbers is ASCII only.
             assert!(text.is_ascii());
         }
     }

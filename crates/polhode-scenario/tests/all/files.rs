@@ -1,4 +1,4 @@
-//! The files of a scenario, and those that it names: found, missing, broken.
+//! Files of a scenario, and files that it names: found, missing, malformed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use polhode_source::files::{Disk, Memory};
 use polhode_source::times;
 use polhode_source::{read_file, read_text_file};
 
-/// A folder of this test's own.
+/// Returns a folder for this test.
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("scenario-{name}"));
     let _ = fs::remove_dir_all(&folder);
@@ -81,7 +81,7 @@ fn a_draft_that_knows_a_mesh_reads_no_file_in_the_unit_that_it_knows() {
     let solid = MeshSolid::of(contents, &path, MeshFormat::Stl, Some(0.001)).unwrap();
     let draft = || scenario::Draft::new(&path, [path.clone()]);
     let mut knowing = draft().knowing(path.clone(), Some(0.001), solid.clone());
-    // There is no such file. What was read stays known.
+    // The file does not exist; the mesh read before is kept.
     for _again in 0..2 {
         assert!((knowing.read(&Disk, text("mm")).unwrap().scenario.body().mass() - 4e-6).abs() < 1e-20);
     }
@@ -104,7 +104,7 @@ fn a_draft_that_is_ended_says_that_a_mesh_is_undecided() {
     let mut draft = scenario::Draft::new(&path, [path.clone()]);
     let error = draft.read_watched(&Disk, text.clone(), &|| false).unwrap_err();
     assert!(error.message().contains("too many of the mesh's"), "{error}");
-    // It is not taken for known.
+    // The result of the interrupted reading is not cached.
     assert!(draft.read(&Disk, text).is_ok());
 }
 
@@ -117,7 +117,7 @@ fn a_scenario_in_memory_is_the_one_on_the_disk() {
     let memory = Memory::from([("in/a.toml", text), ("in/part.stl", &stl(&CORNER))]);
     let read = |path: &str| scenario::ScenarioFile::read(&memory, path.as_ref());
     assert_eq!(read("in/a.toml").unwrap().scenario.body(), on_disk.body());
-    // A file that is on the disk is not in memory.
+    // A file on the disk is not in memory.
     let error = read(folder.join("part.stl").to_str().unwrap()).unwrap_err();
     assert!(error.message().contains("the file does not exist"), "{error}");
     let other = Memory::from([("in/a.toml", text)]);

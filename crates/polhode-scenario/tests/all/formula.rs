@@ -1,4 +1,4 @@
-//! A scenario's part whose density is a formula of the place.
+//! Parts with a density formula.
 
 use std::f64::consts::PI;
 use std::path::Path;
@@ -73,7 +73,7 @@ fn a_mesh_may_have_one() {
     let [formula, number] =
         ["'2700 + 0*x'", "2700"].map(|density| *read(&format!("{mesh}density = {density}\n")).body());
     near(formula.mass(), number.mass(), number.mass());
-    // 2700 (1 + 10 x): the mass is that of the mean, x at the centroid
+    // 2700 (1 + 10 x): the mass is that of the mean density, with x at the centroid.
     let body = *read(&format!("{mesh}density = '2700*(1 + 10*x)'\n")).body();
     let mass = number.mass() * (1.0 + 10.0 * number.center_of_mass().x);
     near(body.mass(), mass, mass);
@@ -86,7 +86,7 @@ fn what_is_a_quantity_is_one() {
         assert!(read(&format!("{BOX}density = {density}\n")).findings().is_empty(), "{density}");
         near(mass(density), 81.0, 81.0);
     }
-    // arithmetic without a variable is a formula, too
+    // Arithmetic without a variable is a formula, too.
     near(mass("'3*900'"), 81.0, 81.0);
     near(mass("'sqrt(2700^2)'"), 81.0, 81.0);
 }
@@ -95,7 +95,7 @@ fn what_is_a_quantity_is_one() {
 fn a_step_needs_a_tolerance() {
     let step = "density = 'if(x + 0.3*y < 0.04, 900, 2700)'\n";
     let body = *read(&format!("{BOX}{step}density_tolerance = 1e-4\n")).body();
-    // x + 0.3 y < 0.04 cuts a prism: its mean width in x is 0.15 + 0.04
+    // The plane x + 0.3 y = 0.04 cuts a prism with the mean width 0.15 + 0.04 in x.
     let mass = 0.2 * 0.5 * (900.0 * 0.19 + 2700.0 * 0.11);
     assert!((body.mass() / mass - 1.0).abs() < 1e-4, "{} is not {mass}", body.mass());
 }
@@ -113,7 +113,7 @@ fn what_is_neither_is_named() {
     refused(&density("sqr(2)"), "unknown function sqr", "did you mean sqrt?");
     refused(&density("1 - 20*x"), "density at", "");
     refused(&density("1/(x - x)"), "density at", "");
-    // meant as quantities
+    // These are meant as quantities, not as formulas.
     refused(&density("2700 kg"), "\"kg\" is a mass where a density belongs", "");
     refused(&density("2.7 g/cm3m"), "cm3m", "");
     refused(&density("5 kg/m^2"), "is a mass per area where a density belongs", "");

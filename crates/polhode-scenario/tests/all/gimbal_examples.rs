@@ -1,4 +1,4 @@
-//! What the titles and comments of the examples of rotors in gimbals promise.
+//! Statements in titles and comments of the examples of rotors in gimbals.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -16,7 +16,7 @@ fn read(name: &str) -> Scenario {
     scenario::read(&path).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The motion, with energy in balance, and nothing noticed about the scenario.
+/// Returns the motion; checks the energy balance, and that there are no findings.
 fn motion(scenario: &Scenario) -> Held<GimbalState> {
     let motion = scenario.simulate().unwrap().unwrap();
     let gimbals = Held::of(motion, GIMBALS);
@@ -35,11 +35,11 @@ fn the_gyrocompass_finds_north() {
     };
     assert!((off(0.0) - 30.0).abs() < 1e-12);
     assert!(off(60.0).abs() < 0.05 && off(120.0).abs() < 1e-4, "{} {}", off(60.0), off(120.0));
-    // The rotor's axis is level, and points to the north of the base.
+    // The rotor axis is level and points north.
     let end = motion.samples().last().unwrap();
     let axis = end.state.attitude * polhode::math::Direction::<Body>::new(0.0, 0.0, 1.0);
     assert!(axis.y > 0.999_9 && axis.x.abs() < 0.01, "{axis:?}");
-    // 30 s, and damping of 0.6 of the critical one.
+    // Period 30 s, and 0.6 of critical damping.
     let stiffness = 2e-3 * 800.0 * std::f64::consts::PI * Base::EARTH_RATE * 52_f64.to_radians().cos();
     let about = 1.3e-3 + 2.5e-3 + 1.2e-3;
     assert!((TAU * (about / stiffness).sqrt() - 30.0).abs() < 0.5);
@@ -51,7 +51,8 @@ fn the_gyrocompass_finds_north() {
 #[test]
 fn heavy_gimbals_creep_round() {
     let scenario = read("gimbals.toml");
-    // From the first second to the last, in each of which the nutation is averaged out.
+    // Mean drift rate from the first second to the last; averages over one second remove the
+    // nutation.
     let mean = |motion: &Held<GimbalState>| {
         let samples = motion.samples();
         let average =
@@ -59,7 +60,7 @@ fn heavy_gimbals_creep_round() {
         (average(&samples[3000..4000]) - average(&samples[..1000])) / 3.0
     };
     let heavy = motion(&scenario);
-    // The formula of the comment.
+    // The formula in the comment of the example.
     let (radius, height, mass) = (0.025_f64, 0.012_f64, 0.2);
     let (along, across) =
         (0.5 * mass * radius * radius, mass * (3.0 * radius * radius + height * height) / 12.0);
@@ -72,7 +73,7 @@ fn heavy_gimbals_creep_round() {
     let said = drift.to_degrees();
     assert!((said + 14.0).abs() < 0.5, "{said}");
     assert!((mean(&heavy) / said - 1.0).abs() < 0.03, "{} {said}", mean(&heavy));
-    // Without mass it nutates alone.
+    // With massless gimbals the rotor nutates alone.
     let Mechanism::Gimbals(light) = scenario.mechanism() else { panic!("no gimbals") };
     let light = light.with_mass(Gimbal::MASSLESS, Gimbal::MASSLESS);
     let times = &scenario.run().unwrap().times;

@@ -1,4 +1,4 @@
-//! Rotors in gimbals in scenario files: what is read, and each mistake at its place.
+//! Rotors in gimbals in scenario files: reading, and the place of each error.
 
 use std::f64::consts::TAU;
 
@@ -63,7 +63,7 @@ fn gimbals_are_what_their_keys_say() {
     let [of_outer, of_inner] = given.masses();
     assert_eq!(of_outer.inertia(), [[0.01, 0.0, 0.0], [0.0, 0.02, 0.0], [0.0, 0.0, 0.015]]);
     assert_eq!(of_outer.moment(), [0.0; 3]);
-    // About the crossing, by Steiner.
+    // About the crossing of the axes, by the parallel-axis theorem.
     let [x, y, z] = [0, 1, 2].map(|k| of_inner.inertia()[k][k]);
     assert!((x - 0.0102).abs() < 1e-17 && (y - 0.02).abs() < 1e-17 && (z - 0.0152).abs() < 1e-17);
     assert_eq!(of_inner.moment(), [0.0, 0.01, 0.0]);
@@ -113,7 +113,7 @@ fn each_mistake_has_its_place() {
     refused(&bare("outer_axis = [0, 0, 1]"), "inner_axis");
     refused(&bare("outer_axis = [0, 0, 1]\ninner_axis = [1, 0, 0.1]"), "perpendicular");
     refused(&bare("outer_axis = [0, 0, 0]\ninner_axis = [1, 0, 0]"), "a direction");
-    // At the angle itself.
+    // The place is the angle itself.
     let error = parse(&text("inner = { angle = '90 deg' }")).unwrap_err();
     assert!(error.to_string().starts_with("test.toml:9:19:"), "{error}");
 }

@@ -1,6 +1,7 @@
-//! The screens as a reader sees them, word for word.
+//! Complete text reports, compared word for word.
 //!
-//! `POLHODE_GOLDEN=write cargo test -p polhode-scenario --test all golden` writes them again; read the difference.
+//! `POLHODE_GOLDEN=write cargo test -p polhode-scenario --test all golden` writes them again;
+//! review the difference.
 
 use std::path::Path;
 
@@ -15,7 +16,8 @@ use polhode_shape::export;
 use polhode_shape::report::InertiaReport;
 use polhode_shape::{ExportBody, ExportFormat};
 
-/// Lines that tell of rounding or of the integrator's steps: they change with the core, and other tests bound them.
+/// Lines on rounding or the integrator's steps. They change with the core, and other tests bound
+/// them.
 const EVIDENCE: [&str; 16] = [
     "L in space  ",
     "T           ",
@@ -35,7 +37,7 @@ const EVIDENCE: [&str; 16] = [
     "e · (ω × L)",
 ];
 
-/// The text with the numbers of its evidence left out.
+/// Returns the text without the numbers of the lines in `EVIDENCE`.
 fn without_evidence(text: &str) -> String {
     let line = |line: &str| match EVIDENCE.iter().find(|head| line.trim_start().starts_with(**head)) {
         Some(head) => format!("{}{head} …\n", &line[..line.len() - line.trim_start().len()]),

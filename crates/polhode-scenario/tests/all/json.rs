@@ -1,4 +1,4 @@
-//! The JSON that others build on: keys, their order, and every bit of every number.
+//! JSON for other programs: keys, their order, and bit-identical numbers.
 
 use polhode::body::{Finding, Severity};
 use polhode::motion::{FreeMotion, Run, SplittingOrder};
@@ -105,7 +105,7 @@ fn numbers_read_back_bit_for_bit() {
 
 #[test]
 fn other_axes_are_the_columns_of_the_rotation() {
-    // R_body_axes takes the new axis k to body components, and nᵀ I n does not depend on who writes it.
+    // `R_body_axes` maps the new axis k to body components, and nᵀ I n is independent of the axes.
     let body = generic();
     let turn = Rotation::<Body, Part>::about(Direction::new(1.0, 2.0, -1.0), 0.8).unwrap();
     let report =
@@ -131,7 +131,7 @@ fn the_summary_has_the_same_keys_for_every_motion() {
     }
 }
 
-/// Reports on motions of every kind, and of extreme sizes, fit their schemas.
+/// Reports on motions of every kind, and of extreme sizes, conform to their schemas.
 #[test]
 fn reports_fit() {
     for scenario in crate::common::all().into_iter().chain([crate::common::gyrostat()]) {
@@ -163,7 +163,7 @@ fn summary(scenario: &Scenario) -> Value {
 fn a_symmetric_top_tells_its_cones() {
     let scenario = crate::common::symmetric_top();
     let json = summary(&scenario);
-    // a cylinder: I_e = m r²/2, I_t = m (3 r² + h²)/12
+    // Cylinder: I_e = m r²/2, I_t = m (3 r² + h²)/12.
     let (axial, transverse) = (0.5 * 4.0 * 0.09, 4.0 * (0.27 + 0.01) / 12.0);
     let top = &json["motion"]["symmetric_top"];
     let near = |value: &Value, want: f64| {

@@ -1,4 +1,4 @@
-//! Mass histories in scenario files: parts that burn and are dropped, tables, mistakes.
+//! Mass histories in scenario files: burning and dropped parts, tables, errors.
 
 use std::fs;
 use std::path::PathBuf;
@@ -48,7 +48,7 @@ fn parts_burn_and_are_dropped() {
     ] {
         assert!((mass(&scenario, time) - want).abs() < 1e-14, "{time}: {}", mass(&scenario, time));
     }
-    // All three parts with what there is of them.
+    // All three parts with their remaining mass.
     let parts = scenario.parts().iter().map(|part| part.properties);
     let factors = [1.0, 0.8125, 0.5];
     let there: Vec<_> = parts
@@ -66,7 +66,7 @@ fn parts_burn_and_are_dropped() {
     let motion = scenario.simulate().unwrap().unwrap();
     let drift = polhode::observe::Drift::of(&motion).unwrap();
     assert!(drift.momentum < 1e-13 && drift.work_energy < 1e-13 && motion.samples().len() == 6);
-    // The start's spin by its angular momentum is that of the whole body.
+    // An initial spin given by its angular momentum refers to the whole body.
     let by_momentum = parse(&format!(
         "{PARTS}{keys}{EXIT}[start]\nspin = {{ momentum = [0.1, 0.2, 0.9] }}\n[run]\nduration = 1\nsamples = 2"
     ));
@@ -78,7 +78,7 @@ fn parts_burn_and_are_dropped() {
 fn what_is_left_in_place_does_not_turn_the_rest() {
     let burn = "[[mass_history.burn]]\npart = 'grain'\nuntil = '5 s'\n";
     let in_place = with(&format!("{burn}[mass_history]\nin_place = true\n"));
-    // TOML has a table before what is in it.
+    // In TOML a table precedes its subtables.
     assert!(in_place.is_err() || history(&in_place.unwrap()).outflow() == &Outflow::InPlace);
     let scenario = with(&format!("[mass_history]\nin_place = true\n{burn}")).unwrap();
     assert_eq!(history(&scenario).outflow(), &Outflow::InPlace);
@@ -87,7 +87,7 @@ fn what_is_left_in_place_does_not_turn_the_rest() {
     assert!((a - b).norm() > 1e-3, "I is not that of the whole body");
 }
 
-/// A folder of its own, gone at the end.
+/// Temporary folder, removed when dropped.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -143,7 +143,7 @@ fn a_table_is_the_history_of_the_whole_body() {
             assert!(a.state.attitude.angle_to(b.state.attitude) < 1e-12);
         }
     }
-    // With rates, which are those of the straight lines here.
+    // With rates: here those of straight lines.
     let with_rates = |time: f64, (body, rates): (MassProperties<Body>, polhode::motion::MassRates)| {
         let [x, y, z] = rates.center_of_mass.to_array();
         let more = [[rates.mass, x, y, z].as_slice(), &rates.inertia].concat();
@@ -163,7 +163,7 @@ fn a_table_is_the_history_of_the_whole_body() {
     }
 }
 
-/// A body of so many times the mass, of the same form.
+/// Returns a body with mass and tensor multiplied by a factor.
 fn scaled(body: &MassProperties<Body>, by: f64) -> MassProperties<Body> {
     let rows = body.inertia().matrix().map(|row| row.map(|x| by * x));
     let inertia = polhode::body::InertiaTensor::from_matrix(rows).unwrap();
@@ -202,13 +202,13 @@ fn tables_that_make_no_sense_are_refused() {
         (table("5,6"), "", "fields long"),
         (format!("{HEADER},mass_rate_kg_per_s\n{first},1\n"), "", "one of a mass history's"),
         (format!("{HEADER},mass_kg\n{first},1\n"), "", "there once"),
-        // At t = 0 the body is half way between the rows.
+        // At t = 0 the body is halfway between the rows.
         (
             format!("{HEADER}\n{}\n{}\n", line(-2.0, &body, 1.0), line(2.0, &half(&body), 1.0)),
             EXIT,
             "a table that agrees",
         ),
-        // The wrong sign shows, as the body is said twice.
+        // A wrong sign is detected, because the body is given twice.
         (format!("{HEADER}\n{}\n", line(0.0, &body, -1.0)), "", "a table that agrees"),
         (
             table(&first),
@@ -361,7 +361,7 @@ fn what_lies_outside_the_run_is_said() {
     assert_eq!(of(&[(0.0, body), (2.0, body), (2.0, body)]), [never]);
 }
 
-/// What runs to the exits is seen where the run is, and in plain numbers.
+/// The flow to the exits is that during the run, in readable numbers.
 #[test]
 fn the_flow_is_that_in_the_run() {
     let exit = "[[mass_history.exit]]\nposition = [0.9, 0, 0.3]\n";

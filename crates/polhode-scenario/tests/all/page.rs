@@ -1,4 +1,4 @@
-//! The page as a viewer meets it: what its script holds, and that nothing from outside gets out of it.
+//! The page as the viewer reads it: the data in its script, and the escape of text from outside.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use polhode::body::shape::{Cone, Tetrahedron};
@@ -34,7 +34,7 @@ fn input<'a>(
     }
 }
 
-/// What a browser reads in the page's data block: up to the first end of a script.
+/// Returns the data block of the page as a browser reads it, up to the first end of a script.
 pub(crate) fn data(html: &str) -> Value {
     let (before, rest) = html.split_once(OPEN).unwrap();
     assert!(!rest.contains(OPEN) && !before.contains(OPEN));
@@ -62,7 +62,8 @@ pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
-/// The same page with its rows beside the JSON: in the places of base64 that of the same bytes, each after the one before.
+/// Checks that the page with its rows outside the JSON has the same bytes as the base64 inside, one
+/// row after the other.
 fn rows_beside_are_those_inside(scenario: &Scenario, trajectory: &Trajectory, inside: &Value) {
     fn compare(inside: &Value, beside: &Value, rows: &[u8], seen: &mut Vec<(usize, usize)>) {
         if let Some(place) = beside.get("f64") {
@@ -116,14 +117,14 @@ fn the_rows_are_the_trajectory_bit_for_bit() {
             assert_eq!(bits(doubles(&motion[key])), bits(wanted), "{key}");
         }
         rows_beside_are_those_inside(&scenario, &trajectory, &data);
-        // The worst sample of each line is the drift that the reports print.
+        // The largest value of each line is the drift in the reports.
         let drift = Drift::of(&trajectory).unwrap();
         let lines = motion["drift"].as_array().unwrap();
         let worst = |name: &str| {
             let line = lines.iter().find(|line| line["name"] == name).unwrap();
             doubles(&line["values"]).into_iter().fold(0.0, f64::max)
         };
-        // Of a closed form under torque the impulse is what L has gained: it says nothing.
+        // In a closed form under torque the impulse is the gain of L, so its balance tests nothing.
         match (scenario.torques().is_empty(), trajectory.solution()) {
             (true, _) => assert_eq!(worst("L in space"), drift.momentum),
             (false, Solution::ClosedForm(_)) => assert_eq!(worst("T + U"), drift.total_energy.unwrap()),
@@ -148,7 +149,7 @@ fn wheels_events_and_switches_are_on_the_page() {
     assert_eq!(held["motor"], Value::Null);
     let motor = doubles(&turned["motor"]);
     assert_eq!((motor[0], motor[14], motor[16], motor[60]), (0.0, 0.0, torque, torque));
-    // Without a torque from outside it is L itself that stays.
+    // Without external torque L itself is constant.
     let lines = data["motion"]["drift"].as_array().unwrap();
     let names: Vec<&str> = lines.iter().filter_map(|line| line["name"].as_str()).collect();
     assert_eq!(names, ["T − work", "L in space"]);
@@ -185,7 +186,7 @@ fn wheels_events_and_switches_are_on_the_page() {
     assert_eq!(brake[2], "model constant, off until the event \"too fast\"");
 }
 
-/// What `--plot` draws of pointings, work and a top's axis is on the page, of those motions alone that have it.
+/// Pointings, work and a top's axis are on the page, but only for motions that have them.
 #[test]
 fn pointings_work_and_the_axis_of_a_top_are_on_the_page() {
     let axis = Direction::new(0.6, 0.0, 0.8);
@@ -203,7 +204,7 @@ fn pointings_work_and_the_axis_of_a_top_are_on_the_page() {
     }
     assert_eq!(data["top"], Value::Null);
 
-    // Gravity along x, the arm along x too: up is −x, and φ begins at y, which is nearest to across.
+    // Gravity and the arm are along x. Up is −x, and φ starts at y, the horizontal axis.
     let (data, trajectory) = page_of(&crate::common::pendulum());
     assert_eq!(data["motion"]["work"], Value::Null, "there is a potential instead");
     assert!(data["motion"]["potential"].is_string() && data["top"]["bounds"].is_null());
@@ -249,7 +250,7 @@ fn every_formula_is_set() {
         for block in data["explanation"].as_array().unwrap().iter().filter(|b| b["kind"] == "formula") {
             let (markup, text) = (block["mathml"].as_str().unwrap(), block["text"].as_str().unwrap());
             let parsed = roxmltree::Document::parse(markup).unwrap_or_else(|e| panic!("{markup}: {e}"));
-            // A formula that was not read would stand as text and nothing else.
+            // A formula that cannot be parsed would be plain text.
             assert!(markup.contains("<mo"), "{text}: {markup}");
             for node in parsed.descendants() {
                 let wanted = match node.tag_name().name() {
@@ -268,7 +269,7 @@ fn every_formula_is_set() {
     }
 }
 
-/// The characters of the bundled font, as its style sheet says.
+/// Returns true if the bundled font has the character, by its style sheet.
 fn is_in_font(c: char) -> bool {
     let css = include_str!("../../../polhode-document/assets/math.css");
     let ranges = css.split_once("unicode-range:").unwrap().1.split_once(';').unwrap().0;
@@ -279,7 +280,7 @@ fn is_in_font(c: char) -> bool {
     })
 }
 
-/// The slanted letter that a browser shows for a letter alone.
+/// Returns the italic character that a browser shows for a single letter.
 fn italic(c: char) -> Option<char> {
     let (first, place) = match c {
         'h' => return Some('ℎ'),
@@ -329,7 +330,8 @@ fn the_geometry_is_that_of_the_motion() {
     };
     let norm = |p: &[f64; 3]| p.iter().map(|x| x * x).sum::<f64>().sqrt();
     let moments = motion.principal().moments();
-    // On the sphere: this motion keeps 2T/L² = Σ n_k² / i_k, a separatrix has that of the axis 2.
+    // On the sphere, 2T/L² = Σ n_k² / i_k is constant for this motion; on a separatrix it equals
+    // that of axis 2.
     let inverse = |p: &[f64; 3]| p.iter().zip(moments).map(|(n, i)| n * n / i).sum::<f64>();
     let energy = 2.0 * motion.kinetic_energy() / (l * l);
     for point in triples(&free["trace"]) {
@@ -345,7 +347,7 @@ fn the_geometry_is_that_of_the_motion() {
         assert!(points.windows(2).map(jump).fold(0.0, f64::max) < 0.15);
     }
     assert_eq!(free["family"].as_array().unwrap().len(), 20);
-    // The herpolhode is ω in space: in the plane across L at the height 2T/|L|.
+    // The herpolhode is ω in space: in the plane normal to L at the height 2T/|L|.
     let normal = motion.momentum().to_array().map(|x| x / l);
     let height = 2.0 * motion.kinetic_energy() / l;
     for point in triples(&free["herpolhode"]) {
@@ -368,11 +370,12 @@ fn parts_are_where_they_are() {
     for k in 0..3 {
         assert!((number(&shapes[1]["position"][k]) - (part[k] - center[k])).abs() < 1e-17);
     }
-    // Turned by 0.2 rad about z.
+    // Rotated by 0.2 rad about z.
     let q = &shapes[1]["quaternion"];
     assert!((number(&q[0]) - 0.1_f64.cos()).abs() < 1e-15 && (number(&q[3]) - 0.1_f64.sin()).abs() < 1e-15);
 
-    // A cone's origin is the middle of its base, a tetrahedron's is where it is; both are turned and moved.
+    // The origin of a cone is the centre of its base, and that of a tetrahedron is its own origin.
+    // Both are rotated and moved.
     let cone = Cone::new(0.3, 0.1, 0.8).unwrap();
     let corners = [[0.1, 0.2, 0.3], [1.1, 0.0, 0.4], [0.3, 0.9, 0.2], [0.2, 0.1, 1.3]];
     let four = Tetrahedron::new(corners).unwrap();
@@ -390,7 +393,7 @@ fn parts_are_where_they_are() {
     let shapes = data["body"]["shapes"].as_array().unwrap();
     let position = |shape: &Value| -> [f64; 3] { std::array::from_fn(|k| number(&shape["position"][k])) };
     assert_eq!(position(&shapes[0]), [0.25, -0.7, 2.1]);
-    // Triangles look outward: from the middle of the solid each has a positive volume.
+    // Triangles face outward: relative to the centre of the solid each has a positive volume.
     let points = floats(&shapes[1]["vertices"]);
     let indices: Vec<u32> = bytes(&shapes[1]["triangles"])
         .chunks_exact(4)
@@ -408,7 +411,8 @@ fn parts_are_where_they_are() {
             + a[2] * (b[0] * c[1] - b[1] * c[0]);
         assert!(volume > 0.0, "{volume}");
     }
-    // The first vertex, through the shape's place and turn, is the corner of the tetrahedron in the body, from the pivot.
+    // The first vertex, transformed by the place and rotation of the shape, is the corner of the
+    // tetrahedron relative to the pivot.
     let (sin, cos) = 0.4_f64.sin_cos();
     let local = corner(0).map(f64::from);
     let [px, py, pz] = position(&shapes[1]);
@@ -418,7 +422,7 @@ fn parts_are_where_they_are() {
     for (found, wanted) in found.into_iter().zip(wanted) {
         assert!((found - wanted).abs() < 1e-6, "{found} {wanted}");
     }
-    // Balls: volumes as masses, sticks as short as may be.
+    // Balls: volumes proportional to masses, sticks of minimal total length.
     let balls = &shapes[2];
     assert_eq!(floats(&balls["centers"])[..3], [-0.25, -0.5, 1.0]);
     let radii = floats(&balls["radii"]);
@@ -426,7 +430,7 @@ fn parts_are_where_they_are() {
     assert_eq!(balls["sticks"].to_string(), "[[0,1],[1,2]]");
 }
 
-/// A wavy ball of n × 2n quadrilaterals, a hundred thousand triangles and more.
+/// Returns a wavy ball of n × 2n quadrilaterals, which may have more than 100,000 triangles.
 pub(crate) fn potato(n: u32) -> TriangleMesh {
     let (pi, m) = (std::f64::consts::PI, 2 * n);
     let point = |i: u32, j: u32| {

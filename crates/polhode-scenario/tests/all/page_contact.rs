@@ -1,4 +1,4 @@
-//! What a page has of a body on the ground.
+//! Page data of a body on the ground.
 
 use polhode::body::shape::Ellipsoid;
 use polhode::motion::GroundContact;
@@ -12,7 +12,8 @@ use serde_json::Value;
 use crate::common::held::Held;
 use crate::page::{number, page_of};
 
-/// An egg of lead that spins, slips and then rolls on a slope that turns; its surface is that of its part only if `is_shown`.
+/// A lead egg spins, slips and then rolls on a rotating slope. If `is_shown`, its contact surface
+/// is that of its part.
 fn on_slope(is_shown: bool) -> Scenario {
     let half = [0.021, 0.024, 0.031];
     let part = crate::common::solid("egg", "ellipsoid", &Ellipsoid::new(half).unwrap(), 0.06, [0.0; 3], 0.0);
@@ -36,7 +37,7 @@ fn on_slope(is_shown: bool) -> Scenario {
     scenario.on_ground(GroundContact { contact, at: Position::ZERO, velocity }).unwrap()
 }
 
-/// For the contract: with a surface of its own.
+/// Scenario for the check of the data format; it has a separate contact surface.
 pub(crate) fn egg() -> Scenario {
     on_slope(false)
 }
@@ -67,7 +68,7 @@ fn the_point_of_contact_is_where_the_body_and_the_ground_have_it() {
             sample.ground_work,
         ];
         assert_eq!(scalars.each_ref().map(|values| values[k]), wanted);
-        // What the viewer makes of it is the point in the body.
+        // The viewer computes the point of contact in the body in this way.
         let arm = sample.state.attitude.inverse() * (sample.contact - sample.center);
         assert!((arm - sample.contact_in_body).norm() < 1e-14, "{k}");
     }
@@ -100,7 +101,7 @@ fn the_surface_is_shown_beside_the_parts_unless_it_is_theirs() {
     let beside = surface(false);
     assert_eq!(beside["kind"], "ellipsoid");
     assert!((number(&beside["half"][2]) - 1.1 * 0.031).abs() < 1e-16);
-    // Of a body of which only the tensor is known it is what is seen of it.
+    // If only the tensor of the body is known, the contact surface is its visible shape.
     let mut ground = on_slope(false).ground().copied().unwrap();
     let scenario = crate::common::tensor("A celt", [2e-5, 2.2e-5, 2.5e-5], [1e-6, 0.0, 0.0], [0.1, 0.2, 0.3]);
     let center = scenario.body().center_of_mass();

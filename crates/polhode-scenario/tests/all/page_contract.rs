@@ -1,4 +1,4 @@
-//! The keys of a page's data are those of `viewer/src/data.ts`.
+//! The keys of a page's data equal those of `viewer/src/data.ts`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -11,11 +11,11 @@ use serde_json::Value;
 
 use crate::page::{data, html_of, potato};
 
-/// The fields of each interface of `viewer/src/data.ts`, and of each `kind` of its unions.
+/// Returns the fields of each interface of `viewer/src/data.ts`, and of each `kind` of its unions.
 fn contract() -> BTreeMap<String, BTreeSet<String>> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../viewer/src/data.ts");
     let source = std::fs::read_to_string(path).unwrap();
-    // Without comments: what is left are names, braces and types.
+    // Without comments, only names, braces and types remain.
     let mut code = String::new();
     let mut rest = source.as_str();
     while let Some((before, after)) = rest.split_once("/*") {

@@ -1,4 +1,4 @@
-//! What a page has of a rotor in gimbals.
+//! Page data of a rotor in gimbals.
 
 use polhode::body::shape::Cylinder;
 use polhode::math::Part;
@@ -7,7 +7,7 @@ use polhode::prelude::*;
 
 use crate::page::page_of;
 
-/// A rotor in heavy gimbals on a base that turns; for the contract too.
+/// Rotor in heavy gimbals on a rotating base; also for the check of the data format.
 pub(crate) fn gyroscope() -> Scenario {
     let rotor = Cylinder::new(0.03, 0.02).unwrap();
     let part = crate::common::solid("rotor", "cylinder", &rotor, 0.4, [0.0, 0.0, 0.01], 0.0);

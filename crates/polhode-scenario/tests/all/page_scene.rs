@@ -1,4 +1,4 @@
-//! What a page's 3-D view shows besides the body: tops, gravity, and a line on each picture.
+//! Content of a page's 3-D view other than the body: tops, gravity, and a caption for each picture.
 
 use polhode::motion::torque::EnergySink;
 use polhode::motion::{HeavyTop, Sample, TopPath};
@@ -7,7 +7,8 @@ use serde_json::Value;
 
 use crate::page::{number, page_of};
 
-/// A cylinder on its tip under gravity along a generic direction, leaning, with so many rad/s along its axis.
+/// An inclined cylinder on its tip under gravity along a generic direction, with this spin about
+/// its axis, rad/s.
 pub(crate) fn top(spin: f64) -> Scenario {
     let disc = Cylinder::new(0.11, 0.05).unwrap();
     let part = crate::common::solid("disc", "cylinder", &disc, 1.7, [0.0, 0.0, 0.14], 0.0);
@@ -20,7 +21,8 @@ pub(crate) fn top(spin: f64) -> Scenario {
 
 #[test]
 fn the_equivalent_box_and_ellipsoid_have_the_body_s_tensor() {
-    // Two boxes askew, free and held; they are about the centre of mass in either case.
+    // Two inclined boxes, free and suspended; their shapes are about the centre of mass in both
+    // cases.
     let part = |size, place: [f64; 3], angle| {
         let shape = BoxShape::new(size).unwrap();
         crate::common::solid("part", "box", &shape, 1.3, place, angle)
@@ -59,7 +61,7 @@ fn a_top_has_its_axis_its_bounds_and_gravity() {
     assert_eq!(g, [1.1, -0.7, -9.2]);
     let axis = polhode::math::Direction::<polhode::math::Body>::from_array(three(&data["top"]["axis"]));
     assert!((axis.norm() - 1.0).abs() < 1e-15 && axis.z > 0.999_999);
-    // The samples lie between the bounds, and come near to both.
+    // The samples lie between the bounds, and come close to both.
     let size = g.iter().map(|x| x * x).sum::<f64>().sqrt();
     let leaning = |sample: &Sample| {
         let e = (sample.state.attitude * axis).to_array();
@@ -72,7 +74,8 @@ fn a_top_has_its_axis_its_bounds_and_gravity() {
     let [first, second] = [number(&bounds[0]), number(&bounds[1])];
     assert!(first <= least + 1e-12 && most <= second + 1e-12, "{first} {least} {most} {second}");
     assert!(least - first < 1e-3 && second - most < 1e-3, "{first} {least} {most} {second}");
-    // The period is that of the precession: the axis comes back to its azimuth about the vertical, but for a nutation's swing.
+    // The period is that of the precession: the axis returns to its azimuth about the vertical,
+    // except for the nutation.
     let period = number(&scene["period"]);
     let up = polhode::math::Direction::<polhode::math::Space>::from_array(g.map(|x| -x / size));
     let flat = |sample: &Sample| {
@@ -138,7 +141,8 @@ fn captions_say_what_is_seen() {
         page_of(scenario).0["scene"]["captions"][picture].as_str().unwrap().to_owned()
     };
     let wheel = crate::common::symmetric_top();
-    // A cylinder of radius 0.3 m and length 0.1 m: I_e/I_t = r²/2 / (r²/4 + l²/12); its axis is turned by 0.7 rad about z.
+    // Cylinder of radius 0.3 m and length 0.1 m: I_e/I_t = r²/2 / (r²/4 + l²/12). Its axis is
+    // rotated by 0.7 rad about z.
     let cones = caption(&wheel, "cones");
     let ratio = 0.045 / (0.0225 + 0.01 / 12.0);
     let gamma = 0.5_f64.atan2(2.0);
@@ -162,7 +166,8 @@ fn captions_say_what_is_seen() {
         "{inside}"
     );
     assert!(caption(&crate::common::gyroscope(), "body").contains("prescribed"));
-    // Friction inside is no torque from outside, with another it is not named among those that act.
+    // Internal friction is not an external torque. Together with another torque it is not listed
+    // among the external ones.
     let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
     let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(1e-5, 2e-5, -3e-5)));
     let inside = caption(&handle.clone().under(vec![sink.clone()]).unwrap(), "body");

@@ -1,4 +1,4 @@
-//! Prescribed motions and shafts in scenario files: every form, its mistakes, and tables of motions.
+//! Prescribed motions and shafts in scenario files: every form, its errors, and tables of motions.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,7 +55,7 @@ fn formulas_of_the_time_are_read() {
     let scenario = parse(&text).unwrap();
     let codes: Vec<_> = scenario.findings().iter().map(|finding| finding.code).collect();
     assert_eq!(codes, ["prescribed.integrated"]);
-    // The start of the scenario is that of the motion.
+    // The start of the scenario equals that of the prescribed motion.
     assert!(scenario.start().omega.norm() > 0.4);
     let corner = parse("[prescribed]\nangles = ['abs(t - 1[s])/1[s]', 0.5, 0]").unwrap();
     assert_eq!(corner.findings().iter().map(|f| f.code).collect::<Vec<_>>(), ["prescribed.corner"]);
@@ -63,7 +63,7 @@ fn formulas_of_the_time_are_read() {
 
 #[test]
 fn what_is_no_formula_and_no_motion_is_refused() {
-    // Angles are plain numbers, and the time is not.
+    // Angles are plain numbers, but the time has a unit.
     refuses("[prescribed]\nangles = ['sin(t)', 0, 0]", "sin needs a number without unit, not a time", "");
     refuses(
         "[prescribed]\nomega = { body = ['2', 0, 0] }",
@@ -106,7 +106,7 @@ fn what_is_no_formula_and_no_motion_is_refused() {
     );
 }
 
-/// A folder of a test's own, with a table in it.
+/// Temporary folder of a test with a table in it.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -157,7 +157,7 @@ fn a_trajectory_that_was_written_is_a_motion() {
             assert!((state.omega - sample.state.omega).norm() < 1e-9);
         }
     }
-    // Without a choice the attitudes are the motion.
+    // By default the attitudes determine the motion.
     assert!(matches!(folder.read(&table, "").unwrap().prescribed(), Some(Prescribed::Table(_))));
 }
 

@@ -1,4 +1,4 @@
-//! Scenario files: what is read of them.
+//! Scenario files: results of reading.
 
 use std::path::Path;
 
@@ -82,7 +82,7 @@ fn a_shape_is_what_its_table_says() {
     }
 }
 
-/// A hollow sphere turned and moved, next to a wedge, is the assembly of the core's shapes.
+/// A rotated and moved hollow sphere with a wedge equals the assembly of the core's shapes.
 #[test]
 fn hollow_parts_are_placed_as_others() {
     let read = body(
@@ -178,10 +178,10 @@ fn a_start_is_a_spin_or_a_momentum() {
     let momentum = read("{momentum=['1 N m s','-2 N m s','3 N m s']}");
     let l = momentum.rotor().angular_momentum_space(&momentum.start());
     assert!((l - AngularMomentum::new(1.0, -2.0, 3.0)).norm() < 4e-15);
-    // About a pivot, L is that about the pivot.
+    // With a pivot, L is about the pivot.
     let held = body(&format!("{tensor}[body]\npivot=[0.5,0,0]\n[start]\nspin={{momentum=[1,-2,3]}}"));
     assert!((held.rotor().angular_momentum_space(&held.start()) - l).norm() < 8e-15);
-    // A rod takes any momentum across it.
+    // A rod may have any momentum normal to it.
     let rod = body("[[body.part]]\nshape='rod'\nlength=2\nmass=3\n[start]\nspin={momentum=[2,-1,0]}");
     assert!((rod.start().omega - AngularVelocity::new(2.0, -1.0, 0.0)).norm() < 1e-15);
 }
@@ -246,10 +246,10 @@ fn findings_say_what_was_noticed() {
     let spun = |rate: &str| format!("{BALL}[start]\nspin={{body=[0,{rate},{rate}]}}\n{RUN}");
     assert_eq!(codes(&spun("-2e-300")), ["start.underflow"]);
     assert_eq!(codes(&spun("-2e-150")), [""; 0]);
-    // Its spin is across the pendulum's axis.
+    // Its spin is normal to the pendulum's axis.
     let off = "[start]\nspin={body=[0,1,0]}\n[[torque]]\nmodel='gravity'\npivot=[0,0,1]\n[pendulum]\naxis=[1,0,0]\n";
     assert_eq!(codes(&format!("{BALL}{off}{RUN}")), ["pendulum.axis"]);
-    // A height where a radius belongs; another centre may be small.
+    // A height in place of a radius is reported, but another centre may be small.
     let orbit = |orbit: &str| format!("orbit={{{orbit}}}\n{BALL}[[torque]]\nmodel='gravity_gradient'\n{RUN}");
     assert_eq!(codes(&orbit("radius='500 km'")), ["orbit.underground"]);
     assert_eq!(codes(&orbit("semi_major_axis='8000 km',eccentricity=0.3")), ["orbit.underground"]);
@@ -284,10 +284,10 @@ fn an_amplitude_is_that_of_the_run() {
     assert_eq!(found(tilted, "20 deg"), said("swings by 10 deg"));
     assert_eq!(found("spin={body=[100,0,0]}", "20 deg"), said("goes over the top"));
     assert_eq!(found("", "20 deg"), said("hangs at rest"));
-    // A rate at the bottom is an amplitude too.
+    // A rate at the bottom also determines an amplitude.
     let pendulum = body(&text("", "20 deg")).pendulum().unwrap().unwrap();
     let rate = 2.0 * pendulum.small_frequency() * 10_f64.to_radians().sin();
     assert_eq!(found(&format!("spin={{body=[{rate},0,0]}}"), "20 deg"), None);
-    // Without a run there is nothing to contradict.
+    // Without a run there is no contradiction.
     assert_eq!(body(&text(tilted, "20 deg")).findings(), []);
 }

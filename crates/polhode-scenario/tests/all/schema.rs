@@ -1,4 +1,5 @@
-//! The schema of scenario files: all files of the project fit, changed ones do not, and the book has the same keys.
+//! Schema of scenario files. All files of the project conform, changed ones do not, and the book
+//! has the same keys.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -13,7 +14,7 @@ use super::fit::fits;
 
 static SCHEMA: LazyLock<Value> = LazyLock::new(scenario::schema);
 
-/// A value of the schema with its reference resolved.
+/// Returns a value of the schema with its reference resolved.
 fn resolved(schema: &Value) -> &Value {
     match schema["$ref"].as_str() {
         Some(name) => SCHEMA.pointer(&name[1..]).unwrap(),
@@ -21,17 +22,17 @@ fn resolved(schema: &Value) -> &Value {
     }
 }
 
-/// Returns where and why a file does not fit the schema.
+/// Returns the place and reason if a file does not conform to the schema.
 fn misfit(file: &Value) -> Option<String> {
     fits(&SCHEMA, &SCHEMA, file, "").err()
 }
 
-/// A file of TOML as JSON.
+/// Converts a TOML file to JSON.
 fn json(text: &str) -> Value {
     serde_json::to_value(toml::from_str::<toml::Table>(text).unwrap()).unwrap()
 }
 
-/// Every scenario and plan of the examples, of the command's starters and of the book.
+/// Returns every scenario and plan of the examples, of the command's templates and of the book.
 fn files() -> Vec<(PathBuf, String)> {
     let folders = ["examples", "examples/notes", "examples/sweeps", "crates/polhode-cli/src/new"];
     let entries = folders.iter().flat_map(|folder| fs::read_dir(root().join(folder)).unwrap());
@@ -64,7 +65,7 @@ fn what_does_not_fit_is_refused_by_both() {
     for (path, text) in files() {
         let whole = json(&text);
         for pointer in pointers(&whole, "") {
-            // Tables with the same keys at the same place are tried once.
+            // Tables with the same keys at the same place are tested once.
             let (table, _) = pointer.rsplit_once('/').unwrap();
             let keys = whole.pointer(table).unwrap().as_object().map(|keys| keys.keys().collect::<Vec<_>>());
             let names: String = pointer.split('/').filter(|step| step.parse::<usize>().is_err()).collect();
@@ -97,7 +98,7 @@ fn what_does_not_fit_is_refused_by_both() {
     assert!(tried > 1000, "{tried}");
 }
 
-/// A file, a line for each of its keys.
+/// Formats a file with one line for each of its keys.
 fn toml_of(file: &Value) -> String {
     fn value(json: &Value) -> String {
         match json {
@@ -115,7 +116,7 @@ fn toml_of(file: &Value) -> String {
     file.as_object().unwrap().iter().map(|(key, json)| format!("{key} = {}\n", value(json))).collect()
 }
 
-/// The ways to all values in a value.
+/// Returns the paths to all values inside a value.
 fn pointers(value: &Value, way: &str) -> Vec<String> {
     let inner: Vec<(String, &Value)> = match value {
         Value::Object(entries) => entries.iter().map(|(key, value)| (key.clone(), value)).collect(),
@@ -131,10 +132,10 @@ fn pointers(value: &Value, way: &str) -> Vec<String> {
     below.collect()
 }
 
-/// A table of the schema.
+/// Table of the schema.
 #[derive(Debug)]
 struct Place {
-    /// Keys with dots between them.
+    /// Path of keys, separated by dots.
     path: String,
     title: String,
     keys: Vec<(String, &'static Value)>,
@@ -163,7 +164,7 @@ fn walk(schema: &'static Value, path: &str, found: &mut Vec<Place>) {
     forms.chain(schema.get("items")).for_each(|form| walk(form, path, found));
 }
 
-/// The headings of the reference that have the keys of a table, and the place of the table.
+/// Headings of the reference for the keys of a table, and the path of the table.
 const PAGE: [(&str, &[&str]); 32] = [
     ("## The file", &[""]),
     ("## Body", &["body"]),
@@ -192,10 +193,10 @@ const PAGE: [(&str, &[&str]); 32] = [
     ("### Balance", &["shaft.balance"]),
     ("## Pendulum", &["pendulum"]),
     ("## Run", &["run"]),
-    // With those of each model or shape.
+    // Including the keys of each model or shape.
     ("## Torques", &["torque"]),
     ("### Shapes", &["body.part"]),
-    // Tables that a value of another table writes out.
+    // Tables that are a value in another table.
     ("## Events", &["event.then"]),
     ("### Measures", &["event.between"]),
     ("## Pointing", &["pointing.to"]),
@@ -206,18 +207,18 @@ fn page() -> &'static str {
     &PAGE
 }
 
-/// The keys in the first cells of the table under a heading.
+/// Returns the keys in the first cells of the table under a heading.
 fn in_book(heading: &str) -> BTreeSet<String> {
     rows(section(page(), heading)).iter().flat_map(|row| names(row[0])).map(str::to_owned).collect()
 }
 
-/// The keys of all forms of a table.
+/// Returns the keys of all forms of a table.
 fn of_place(places: &[Place], path: &str) -> BTreeSet<String> {
     let there = places.iter().filter(|place| place.path == path);
     there.flat_map(|place| place.keys.iter().map(|(key, _)| key.clone())).collect()
 }
 
-/// Adds what one side has and the other has not.
+/// Adds the keys that only one side has.
 fn compare(book: &BTreeSet<String>, keys: &BTreeSet<String>, place: &str, wrong: &mut Vec<String>) {
     wrong.extend(book.difference(keys).map(|key| format!("{place}: the reader has no `{key}`")));
     wrong.extend(keys.difference(book).map(|key| format!("{place}: the book lacks `{key}`")));
@@ -248,7 +249,7 @@ fn the_book_has_every_key_and_no_other() {
             }
         }
     }
-    // The axis of the rotor has the first keys of those of gimbals.
+    // The rotor axis has the same first keys as the gimbal axes.
     let rotor = of_place(&places, "gimbals.rotor");
     wrong.extend(rotor.difference(&in_book("### Axes")).map(|key| format!("gimbals.rotor: {key}")));
     let every_torque = &in_book("## Torques") | &in_book("### When a torque acts");
@@ -271,7 +272,8 @@ fn the_book_has_every_key_and_no_other() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// The words for a type in the tables of the book, of which one has to be in the cell; none where any will do.
+/// Returns the words for a type in the tables of the book, one of which must be in the cell; empty
+/// if any text is allowed.
 fn words(schema: &'static Value) -> Vec<&'static str> {
     let schema = resolved(schema);
     let description = schema["description"].as_str().unwrap_or_default();
@@ -330,7 +332,7 @@ fn the_book_has_the_type_of_every_key_and_whether_it_is_required() {
                     forms += 1;
                     needing += usize::from(place.required.contains(key));
                 }
-                // Of a key that some forms require the cell says which.
+                // If some forms require the key, the cell states which.
                 let is_one = forms > 0 && (needing == 0 || needing == forms);
                 let is_told = row.len() > 3 && !row[2].starts_with("required with");
                 if is_one && is_told && (row[2] == "required") != (needing > 0) {
@@ -414,7 +416,7 @@ fn the_book_has_every_name_that_is_a_value() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// The names that a value may be, or an element of it.
+/// Returns the names that a value, or an element of it, may have.
 fn choices(schema: &'static Value) -> Vec<String> {
     let own = schema["enum"].as_array().into_iter().flatten().map(|name| name.as_str().unwrap().to_owned());
     let forms = ["anyOf", "oneOf"].into_iter().filter_map(|word| schema[word].as_array()).flatten();

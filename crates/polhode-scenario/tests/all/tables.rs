@@ -1,4 +1,4 @@
-//! Tables of motions that scenarios state.
+//! Tables of motions, as requested by scenarios.
 
 use polhode::infer::judge::{AttitudeSense, OmegaAxes, QuaternionOrder};
 use polhode::prelude::*;
@@ -33,7 +33,8 @@ fn polhodes_own_table_says_everything() {
     assert_eq!(read.read[2].what, "angular velocity along body axes, rad/s");
 }
 
-/// Checks the columns of an orbit at a generic point against their definitions, with rotations about one axis at a time.
+/// Checks the columns of an orbit at a generic point against their definitions, with rotations
+/// about one axis at a time.
 #[test]
 fn a_body_on_an_orbit_has_its_attitude_there() {
     let text = "[orbit]\nsemi_major_axis = '8200 km'\neccentricity = 0.13\ninclination = '51 deg'\nnode = '-20 deg'\n\
@@ -78,7 +79,7 @@ fn a_body_on_an_orbit_has_its_attitude_there() {
         let nadir = r * (-1.0 / r.norm());
         let side = v.cross(r) * (1.0 / v.cross(r).norm());
         let ahead = side.cross(nadir);
-        // R₃(ψ) R₂(θ) R₁(φ), a turn at a time, each about an axis of those before it.
+        // R₃(ψ) R₂(θ) R₁(φ), one rotation at a time, each about an axis of the rotated frame.
         let [roll, pitch, yaw] =
             ["roll", "pitch", "yaw"].map(|name| value(&format!("orbit_{name}_rad"), row));
         let turn = |axis: Direction<polhode::math::Space>, angle: f64, v: Direction<polhode::math::Space>| {
@@ -106,7 +107,7 @@ fn a_body_on_an_orbit_has_its_attitude_there() {
             near(&format!("{name}_angle_rad"), row, (along.dot(to) / along.norm() / to.norm()).acos());
         }
     }
-    // Relative to axes that turn at r × v/r².
+    // Relative to axes that rotate at r × v/r².
     let start = motion.start().state;
     let (r, v) = (vector(orbit.position(0.0).to_array()), vector(orbit.velocity(0.0).to_array()));
     let relative = start.omega.to_array();
@@ -114,7 +115,8 @@ fn a_body_on_an_orbit_has_its_attitude_there() {
     for (k, degrees) in [1.0_f64, -2.0, 0.5].into_iter().enumerate() {
         assert!((relative[k] - turning[k] - degrees.to_radians()).abs() < 1e-16);
     }
-    // Half a period of an ellipse later it is not where half a circle would bring it, but where Kepler's equation does.
+    // After half a period of an ellipse the position follows from Kepler's equation, not from half
+    // a circle.
     let (half, period) = (motion.samples()[2].state.time, orbit.period().unwrap());
     assert!((2.0 * half / period - 1.0).abs() < 1e-15);
     assert!((period - std::f64::consts::TAU * (8.2e6_f64.powi(3) / 3.986_004_418e14).sqrt()).abs() < 1e-9);

@@ -1,4 +1,5 @@
-//! Torques that are formulas: against built-in torques, closed forms and each other, by both integrators.
+//! Torque formulas, compared with built-in torques, with closed forms and with each other, by both
+//! integrators.
 
 use polhode::math::formula::Formula;
 use polhode::motion::torque::{Drag, DragLaw, FormulaTorque};
@@ -35,7 +36,7 @@ fn run(rotor: &Rotor, torques: &[TorqueModel], times: &[f64], method: Method) ->
     Trajectory::compute(rotor, torques, start(), times, method, 1e-14).unwrap()
 }
 
-/// Both are the same motion, and the evidence of the second is good.
+/// Checks that both motions are equal, and that the second has good conserved quantities.
 #[track_caller]
 fn agree(one: &Trajectory, other: &Trajectory, tolerance: f64) {
     for (a, b) in one.samples().iter().zip(other.samples()) {
@@ -65,7 +66,7 @@ fn constant_torques_are_formulas() {
     }
 }
 
-/// N = l × M g, with g seen from the body by the direction cosines.
+/// N = l × M g, with g in body axes from the direction cosines.
 #[test]
 fn gravity_at_a_pivot_is_a_formula() {
     let rotor = Rotor::pivoted(&properties(), Position::new(-0.4, 0.9, 0.2));
@@ -83,7 +84,7 @@ fn gravity_at_a_pivot_is_a_formula() {
     }
 }
 
-/// N = −c L: L = L₀ exp(−c t), whatever the body. N = −k |L| L: L = L₀/(1 + k |L₀| t).
+/// N = −c L: L = L₀ exp(−c t) for any body. N = −k |L| L: L = L₀/(1 + k |L₀| t).
 #[test]
 fn drag_along_the_momentum_decays_as_it_must() {
     let rotor = Rotor::free(&properties());
@@ -104,7 +105,7 @@ fn drag_along_the_momentum_decays_as_it_must() {
     }
 }
 
-/// L − L₀ = ∫ N dt for a torque of time alone along space axes.
+/// L − L₀ = ∫ N dt for a torque along space axes that depends on time alone.
 #[test]
 fn a_torque_of_time_alone_gives_its_integral() {
     let rotor = Rotor::free(&properties());
@@ -127,7 +128,8 @@ fn a_torque_of_time_alone_gives_its_integral() {
     }
 }
 
-/// Series and values of every variable and function come by two ways: both methods make one motion of them, wheels included.
+/// Series and values of each variable and function are computed independently. Both methods give
+/// the same motion, including wheels.
 #[test]
 fn every_variable_has_the_series_of_its_values() {
     let plain = Rotor::free(&properties());
@@ -165,7 +167,7 @@ fn every_variable_has_the_series_of_its_values() {
     }
 }
 
-/// ∫ N dt of a pulse that nobody announced: DOP853 finds its end.
+/// ∫ N dt of an unannounced pulse: DOP853 locates its end.
 #[test]
 fn a_formula_may_jump() {
     let rotor = Rotor::free(&properties());
@@ -189,12 +191,13 @@ fn what_is_no_number_ends_at_the_last_good_time() {
             let motion = Trajectory::compute(&rotor, &[torque], start(), &[4.0], method, 1e-12).unwrap();
             let Ending::Failed { time, cause } = motion.ending() else { panic!("{text} {method:?}") };
             assert!(cause.is_numerical(), "{text} {method:?}: {cause}");
-            // A step may pass the place by what its error allows: δ^1.5 is 1e-10 past a root.
+            // A step may pass the point by an amount within its tolerance: δ^1.5 is 1e-10 past a
+            // root.
             assert!((earliest..=latest + 1e-6).contains(time), "{text} {method:?}: {time}");
         }
     }
     for method in BOTH {
-        // No number at the start already: the error says which torque, and in which component.
+        // Not finite at the start already: the error names the torque and the component.
         let good = body_axes(["0.1[N m]", "0", "0"]);
         let torque = body_axes(["0.1[N m]", "0.1[N m]*sqrt(-1 - t/1[s])", "0"]);
         let refused = Trajectory::compute(&rotor, &[good, torque], start(), &[4.0], method, 1e-12);
@@ -202,7 +205,7 @@ fn what_is_no_number_ends_at_the_last_good_time() {
             panic!("{refused:?}")
         };
         assert!(x == 0.1 && y.is_nan() && z == 0.0);
-        // No power series starts at this corner.
+        // At this corner there is no power series.
         let torque = body_axes(["0", "0", "0.1[N m]*sqrt(t/1[s] - 0.3)"]);
         let end = Trajectory::compute(&rotor, &[torque], start(), &[1.0], Method::Taylor, 1e-12);
         assert!(
@@ -216,7 +219,7 @@ fn what_is_no_number_ends_at_the_last_good_time() {
     }
 }
 
-/// Both laws of drag, with a full matrix, as the model and as formulas.
+/// Both laws of drag with a full matrix, as the model and as formulas.
 #[test]
 fn drag_is_a_formula() {
     let rotor = Rotor::free(&properties());

@@ -1,4 +1,4 @@
-//! Tables of torques in scenario files: CSV and Parquet, units, mistakes.
+//! Torque tables in scenario files: CSV and Parquet, units, errors.
 
 use std::fs;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use polhode_source::FormatError;
 const BODY: &str = "[[body.part]]\nshape = 'box'\nsize = ['0.3 m', '0.2 m', '0.1 m']\nmass = '4 kg'\n\
                     [run]\nduration = '4 s'\nsamples = 5\n";
 
-/// A folder of its own, gone at the end.
+/// Temporary folder, removed when dropped.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -67,7 +67,7 @@ fn a_table_lasts_as_long_as_it_acts() {
         "{error}"
     );
     assert!(error.place().is_some());
-    // The hint is what makes it right, as the next line has it.
+    // The hint gives a valid file, as the next line shows.
     assert!(error.hint().unwrap().ends_with(r#"from = "0.5 s", until = "3 s""#), "{:?}", error.hint());
     assert!(folder.read(short, &format!("{LINEAR}from = '0.5 s'\nuntil = '3 s'\n")).is_ok());
     let late = short.replace("0.5,", "30,").replace("\n3,", "\n40,");

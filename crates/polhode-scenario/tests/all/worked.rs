@@ -1,4 +1,5 @@
-//! The closed forms of worked solutions: what is printed, read back, and held against Euler's equations or an integral.
+//! Closed forms in worked solutions: printed numbers, compared with Euler's equations or an
+//! integral.
 
 use std::f64::consts::PI;
 
@@ -10,7 +11,7 @@ use polhode_scenario::report::explain;
 
 use crate::common;
 
-/// The text of one step, each block on lines of its own.
+/// Returns the text of one step, with each block on separate lines.
 fn step(scenario: &Scenario, number: usize) -> String {
     let mut document = explain(scenario).unwrap();
     document.sections = vec![document.sections.swap_remove(number)];
@@ -18,7 +19,8 @@ fn step(scenario: &Scenario, number: usize) -> String {
     document.to_text(400)
 }
 
-/// The number after a name: `A1 = -5.86444` or `(-5.86444)`; the name may stand in a formula before.
+/// Returns the first number after a name: `A1 = -5.86444` or `(-5.86444)`. The name may occur
+/// before, in a formula.
 fn value(text: &str, name: &str) -> f64 {
     let numbers = text.match_indices(name).filter_map(|(start, _)| {
         let rest = text[start + name.len()..].trim_start_matches('(');
@@ -32,7 +34,7 @@ fn near(got: f64, want: f64, tolerance: f64) {
     assert!((got - want).abs() <= tolerance * want.abs().max(1e-300), "{got} is not {want}");
 }
 
-/// ω̇ of Euler's equations without torque, and steps of them: RK4.
+/// Integrates Euler's equations without torque by RK4.
 fn euler(i: [f64; 3], mut omega: [f64; 3], time: f64, steps: u32) -> [f64; 3] {
     let rate = |w: [f64; 3]| {
         [
@@ -53,7 +55,8 @@ fn euler(i: [f64; 3], mut omega: [f64; 3], time: f64, steps: u32) -> [f64; 3] {
     omega
 }
 
-/// sn, cn, dn of u by the descending Gauss transformation (arithmetic-geometric mean; Abramowitz & Stegun 16.4).
+/// Returns sn, cn, dn of u by the descending Gauss transformation (arithmetic-geometric mean;
+/// Abramowitz & Stegun 16.4).
 fn jacobi(u: f64, m1: f64) -> [f64; 3] {
     let (mut a, mut b, mut ratios) = (1.0_f64, m1.sqrt(), Vec::new());
     while (a - b).abs() > 1e-15 {
@@ -93,7 +96,7 @@ fn the_printed_closed_form_solves_eulers_equations() {
                 );
             }
         }
-        // The functions with the numbers in.
+        // The functions with their numbers.
         let name = |k: usize| ["sn", "cn", "dn"][order[k]];
         for (k, amplitude) in amplitudes.into_iter().enumerate() {
             let line = text.lines().rfind(|line| line.contains(&format!("ω{} = ", k + 1))).unwrap();
@@ -105,7 +108,7 @@ fn the_printed_closed_form_solves_eulers_equations() {
 
 #[test]
 fn how_far_d_is_from_i2_has_its_own_digits() {
-    // Next to the separatrix, where D and i2 print alike.
+    // Next to the separatrix, where D and i2 have the same printed digits.
     let scenario = common::tensor("Nearly", [1.0, 2.0, 3.0], [0.0; 3], [1e-4, 1.5, 2e-4]);
     let text = step(&scenario, 5);
     // [i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3²] / 2T
@@ -115,10 +118,10 @@ fn how_far_d_is_from_i2_has_its_own_digits() {
     assert!(text.contains("D > i2: short-axis mode"), "{text}");
 }
 
-/// A top that leans by 0.9 rad, whose centre is off all axes of the body, with ω in general position.
+/// Top inclined by 0.9 rad, with its centre of mass off all body axes and ω in a generic direction.
 fn leaning() -> Scenario {
     let e = Direction::<Body>::new(2.0, -3.0, 6.0) * (1.0 / 7.0);
-    // A = 0.4 across e, C = 0.15 along it, about the centre of mass; M = 1.7 kg, l = 0.3 m
+    // A = 0.4 normal to e, C = 0.15 along it, about the centre of mass; M = 1.7 kg, l = 0.3 m.
     let [across, along, mass, arm] = [0.4, 0.15, 1.7, 0.3];
     let e_ = e.to_array();
     let element = |i: usize, j: usize| (if i == j { across } else { 0.0 }) + (along - across) * e_[i] * e_[j];
@@ -141,7 +144,7 @@ fn leaning() -> Scenario {
 fn the_tops_constants_roots_period_and_precession_are_those_of_its_integrals() {
     let scenario = leaning();
     let text = step(&scenario, 5);
-    // By hand: A and C about the pivot, from the numbers of `leaning`.
+    // A and C about the pivot, independently, from the numbers of `leaning`.
     let (a, c) = (0.4 + 1.7 * 0.09, 0.15);
     let g = Acceleration::<Space>::new(1.2, -0.7, -9.3);
     let weight = 1.7 * 0.3 * g.norm();
@@ -171,10 +174,11 @@ fn the_tops_constants_roots_period_and_precession_are_those_of_its_integrals() {
         assert!((f(u) / slope(u)).abs() < 2e-5 * u.abs().max(1.0), "f({u}) = {}", f(u));
     }
     assert!(u1 < height && height < u2 && u2 < 1.0 && u3 > 1.0);
-    // Newton's steps, so that the quadrature below is not of six digits.
+    // Newton's method, so that the quadrature below has more than six digits.
     let polished = |u: f64| (0..3).fold(u, |u, _| u - f(u) / slope(u));
     let [u1, u2] = [polished(u1), polished(u2)];
-    // u = (u1 + u2)/2 + (u2 − u1)/2 sin s: both ends of ∫ du/√f are smooth in s; once down and up
+    // With u = (u1 + u2)/2 + (u2 − u1)/2 sin s, ∫ du/√f is smooth in s at both ends; one period is
+    // down and up.
     const POINTS: u32 = 2000;
     let (mut period, mut precession) = (0.0, 0.0);
     for k in 0..POINTS {
@@ -204,7 +208,8 @@ fn the_effective_potential_is_drawn_between_its_turning_points() {
     let text = step(&scenario, 5);
     let ([from, to, energy], _) = graph.level;
     near(energy, value(&text, "    E′ = "), 1e-5);
-    // θ̇ = 0 at the turning points: there U_eff = E′; between them it is less, outside more.
+    // θ̇ = 0 at the turning points, where U_eff = E′. U_eff is smaller between them and larger
+    // outside.
     for [theta, potential] in &graph.points {
         let inside = from < *theta && *theta < to;
         assert_eq!(*potential < energy, inside, "U_eff({theta}°) = {potential} beside {energy}");
@@ -223,7 +228,7 @@ fn the_pendulums_series_sum_to_its_period() {
     let scenario =
         common::pendulum().suspended_from(Suspension { axis, amplitude: Some(amplitude) }).unwrap();
     let text = step(&scenario, 5);
-    // P ω0 / 2π = (2/π) K(k): by the arithmetic-geometric mean
+    // P ω0 / 2π = (2/π) K(k), by the arithmetic-geometric mean.
     let (mut a, mut b) = (1.0, (0.5 * amplitude).cos());
     for _ in 0..8 {
         (a, b) = (0.5 * (a + b), f64::sqrt(a * b));
@@ -233,10 +238,10 @@ fn the_pendulums_series_sum_to_its_period() {
         let line = text.lines().find(|line| line.contains(name)).unwrap();
         let sum = value(&line[line.rfind(" = ").unwrap()..], " = ");
         let rest = value(&line[line.rfind(", ").unwrap()..], ", ");
-        // What is left out has two digits.
+        // The printed remainder of the series has two digits.
         assert!((1.0 + sum + rest - ratio).abs() < 0.06 * rest && rest < 0.01, "{line}: {ratio}");
     }
-    // The swing test gives back what was put in.
+    // The swing test returns the original moment.
     let [m1, m2, b, ..] = common::PENDULUM;
     let moment = b * b * (m1 + 0.25 * m2);
     let mass = m1 + m2;
@@ -246,7 +251,7 @@ fn the_pendulums_series_sum_to_its_period() {
     near(value(&line[line.rfind(" = ").unwrap()..], " = "), moment - mass * arm * arm, 1e-4);
 }
 
-/// A body of 2, 3 and 4 kg·m² under linear drag.
+/// Body of 2, 3 and 4 kg·m² under linear drag.
 fn resisted(matrix: [[f64; 3]; 3]) -> Scenario {
     let drag = Drag::new(DragLaw::Linear, matrix).unwrap();
     let body = common::tensor("Resisted", [2.0, 3.0, 4.0], [0.0; 3], [0.3, -0.2, 0.5]);
@@ -260,7 +265,7 @@ fn drag_has_its_decay_times_or_its_matrix() {
         let line = text.lines().find(|line| line.contains(&format!("about axis {k}: "))).unwrap();
         near(value(&line[line.rfind(" = ").unwrap()..], " = "), time, 1e-5);
     }
-    // {I}⁻¹ C, its rows over the moments
+    // {I}⁻¹ C: its rows are divided by the moments.
     let text = step(&resisted([[0.02, 0.003, 0.0], [0.003, 0.03, 0.0], [0.0, 0.0, 0.05]]), 5);
     assert!(text.contains("C is not along the principal axes"), "{text}");
     assert!(text.contains("⎡ 0.0100  0.0015  0      ⎤"), "{text}");
@@ -269,7 +274,7 @@ fn drag_has_its_decay_times_or_its_matrix() {
 
 #[test]
 fn the_gradient_has_the_librations_of_its_equations() {
-    // n² = µ/r³; axis 1 along the radius, 2 along the flight, 3 along the normal
+    // n² = µ/r³; axis 1 is along the radius, 2 along the flight direction, 3 along the normal.
     let (mu, radius) = (3.986e14_f64, 7.0e6_f64);
     let n = (mu / radius.powi(3)).sqrt();
     let [yaw, roll, pitch] = [2.0, 5.0, 6.0];
@@ -294,7 +299,8 @@ fn the_gradient_has_the_librations_of_its_equations() {
     }
 }
 
-/// Released at rest without spin a top swings in one plane: nothing goes round, and nothing is divided by that.
+/// A top released at rest without spin swings in a plane: no precession is printed, and nothing is
+/// divided by it.
 #[test]
 fn a_top_that_swings_in_a_plane_does_not_precess() {
     let text = step(&common::spinning(leaning(), AngularVelocity::ZERO), 5);
@@ -302,7 +308,7 @@ fn a_top_that_swings_in_a_plane_does_not_precess() {
     assert!(text.contains("u1 ≤ u2 ≤ 1 ≤ u3"));
 }
 
-/// θ is of the axis that the formula says, where L points against it too.
+/// θ refers to the axis in the formula, also if L points against it.
 #[test]
 fn theta_is_the_angle_of_its_formula() {
     for sign in [1.0, -1.0] {
@@ -317,10 +323,10 @@ fn theta_is_the_angle_of_its_formula() {
     }
 }
 
-/// Drag beside other torques has no decay of its own, and none about the line of a rod.
+/// Drag with other torques has no separate decay; the line of a rod has none at all.
 #[test]
 fn drag_is_solved_alone_and_across_a_rod() {
-    // Across the rod of (0.3, −0.4, 1.2): C = 0.1 p pᵀ + 0.3 q qᵀ + 0.05 (p qᵀ + q pᵀ)
+    // Normal to the rod along (0.3, −0.4, 1.2): C = 0.1 p pᵀ + 0.3 q qᵀ + 0.05 (p qᵀ + q pᵀ).
     let (p, q) = ([0.8, 0.6, 0.0], [-0.72 / 1.3, 0.96 / 1.3, 0.5 / 1.3]);
     let element =
         |i: usize, j: usize| 0.1 * p[i] * p[j] + 0.3 * q[i] * q[j] + 0.05 * (p[i] * q[j] + q[i] * p[j]);
@@ -334,7 +340,8 @@ fn drag_is_solved_alone_and_across_a_rod() {
     assert!(text.contains("C22 / i2 = ") && text.contains("C23 / i2 = ") && !text.contains('—'), "{text}");
 }
 
-/// What pdfLaTeX has no letter for is named, and nothing of a name is taken for LaTeX's own.
+/// Letters unknown to pdfLaTeX are written by their code points, and special characters in names
+/// are escaped.
 #[test]
 fn latex_holds_any_name() {
     let scenario = common::hostile("Größe 慣性 100 % a_b^c {x} \\end{document} $1 & #2 ~ <tag> ½ ω\u{307}");
@@ -348,7 +355,7 @@ fn latex_holds_any_name() {
     assert!(body.contains("\\textbackslash{}end\\{document\\} \\$1 \\& \\#2 \\textasciitilde{} $<$tag$>$ $\\tfrac12$ $\\dot{\\omega}$"));
 }
 
-/// Every sign that a solution writes is one that LaTeX has.
+/// LaTeX has every character of a solution.
 #[test]
 fn latex_has_every_sign_of_a_solution() {
     let leaning = explain(&leaning()).unwrap();

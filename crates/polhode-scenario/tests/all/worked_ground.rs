@@ -1,4 +1,4 @@
-//! The worked solutions of bodies on the ground: what is printed, read back, and held against the motion.
+//! Worked solutions of bodies on the ground: printed numbers, compared with the motion.
 
 use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::{ContactLaw, ContactState, Friction, GroundSide, StartVelocity};
@@ -12,7 +12,7 @@ use crate::common::ground::{
 };
 use crate::common::held::Held;
 
-/// The text of one step, each block on lines of its own.
+/// Returns the text of one step, with each block on separate lines.
 fn step(scenario: &Scenario, number: usize) -> String {
     let mut document = explain(scenario).unwrap();
     document.sections = vec![document.sections.swap_remove(number)];
@@ -20,7 +20,8 @@ fn step(scenario: &Scenario, number: usize) -> String {
     document.to_text(400)
 }
 
-/// The numbers after the first of a name that has one behind it: a group of digits goes on after its space.
+/// Returns the numbers after the first occurrence of a name that a number follows. Spaces between
+/// groups of digits are allowed.
 #[track_caller]
 fn numbers(text: &str, name: &str) -> Vec<f64> {
     let rests = text.match_indices(name).map(|(at, _)| &text[at + name.len()..]);
@@ -54,12 +55,13 @@ fn motion(scenario: &Scenario) -> Held<ContactState> {
     Held::of(scenario.simulate().unwrap().unwrap(), CONTACT)
 }
 
-/// The angle of z to the vertical.
+/// Returns the angle between z and the vertical.
 fn tilt(sample: &ContactState) -> f64 {
     (sample.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0)).angle_to(UP)
 }
 
-/// The slip of a ball ends when and as it is said: on the level, with viscous friction, and on a slope, where it turns.
+/// The slip of a ball ends at the printed time with the printed velocity: on level ground, with
+/// viscous friction, and on a slope, where the slip turns.
 #[test]
 fn the_ball_grips_when_it_is_said_to() {
     let viscous = Friction { sticking: 0.2, kinetic: 0.13, viscous: 0.31 };
@@ -94,7 +96,7 @@ fn the_ball_grips_when_it_is_said_to() {
     }
 }
 
-/// 2 v/(7 µ g) and 5/7, of what everyone is told.
+/// 2 v/(7 µ g) and 5/7, the textbook results.
 #[test]
 fn a_homogeneous_ball_keeps_five_sevenths() {
     let setting = Setting { moments: [0.4 * 0.31 * 0.043 * 0.043; 3], omega: [0.0; 3], ..ball() };
@@ -111,7 +113,7 @@ fn a_homogeneous_ball_keeps_five_sevenths() {
     assert!(step(&steep.scenario("Steep", 1.0, 3), 5).contains("the slip grows without limit"));
 }
 
-/// The circle of a ball on a turntable: its middle is as far from all samples as the radius.
+/// Circle of a ball on a turntable: all samples are at the radius from its centre.
 #[test]
 fn the_turntable_has_its_circle() {
     let setting = Setting {
@@ -131,7 +133,7 @@ fn the_turntable_has_its_circle() {
     near(numbers(&text, "σ Ω = ")[2], 3.1 * 0.53 / 1.53, 1e-5);
 }
 
-/// A disk that starts with the Ω that is printed keeps its tilt, and P runs on the circle that is printed.
+/// A disk with the printed initial Ω keeps its tilt, and P moves on the printed circle.
 #[test]
 fn the_disk_runs_in_the_circle_that_is_printed() {
     for (tilted, spin) in [(1.1, -13.0), (0.7, 6.0)] {
@@ -155,12 +157,12 @@ fn the_disk_runs_in_the_circle_that_is_printed() {
     }
 }
 
-/// Upright it falls or does not as the thresholds say.
+/// An upright disk falls or stays upright according to the thresholds.
 #[test]
 fn wheels_fall_below_the_rate_that_is_printed() {
     let text = step(&disk(1.5, [0.0, 3.0]).scenario("Rolls", 0.1, 3), 5);
     let threshold = number(&text, "rolling straight: |s| > ");
-    // A m g ρ/(C (C + m ρ²)), by hand.
+    // A m g ρ/(C (C + m ρ²)), independently.
     let (m, a, c, r) = (0.42, 7.3e-4, 1.31e-3, 0.081_f64);
     near(threshold, (a * m * G * r / (c * (c + m * r * r))).sqrt(), 1e-5);
     near(number(&text, "spinning:         |Ω| > "), (m * G * r / (a + m * r * r)).sqrt(), 1e-5);
@@ -217,11 +219,12 @@ fn the_tippe_tops_numbers_are_those_of_its_motion() {
     near(-line[0], (vertical(last) - vertical(first)) / short, 1e-3);
     near(line[1], (momentum(last).z - momentum(first).z) / short, 1e-3);
     near(-line[0], -0.32 * first.normal_force * 0.0041 * 0.12_f64.sin(), 1e-3);
-    // J = L · (R n − d e), by hand.
+    // J = L · (R n − d e), independently.
     let jellett = 0.0187 * vertical(first) - 0.0041 * momentum(first).z;
     near(number(&text, "    J = "), jellett, 1e-5);
     near(numbers(&text, "T + U = ")[0], first.kinetic_energy + first.potential_energy, 1e-5);
-    // Spun at the bottom with less than is needed it does not leave it, and with more it does: viscous friction, as dry friction would hold it.
+    // Below the printed spin it stays at the bottom, above it leaves. Friction is viscous, because
+    // dry friction would hold it.
     let needed = numbers(&text, "leaves the bottom if it is spun there at more than ")[0];
     let viscous = Friction { sticking: 0.0, kinetic: 0.0, viscous: 3.0 };
     for (part, leaves) in [(0.93, false), (1.07, true)] {
@@ -237,14 +240,15 @@ fn the_tippe_tops_numbers_are_those_of_its_motion() {
     assert!(answer.iter().any(|line| line.contains("brings it to the inverted position")), "{answer:?}");
 }
 
-/// The swings of a rattleback by its determinant, and the growth of a small departure in the run.
+/// Oscillations of a rattleback from the determinant, and the growth of a small tilt in the run.
 #[test]
 fn the_rattleback_rattles_as_it_is_said_to() {
     let text = step(&rattleback(-0.8, 1e-5).scenario("Rattles", 0.1, 3), 5);
     let (m, h, ixx, iyy, ixy) = (0.9, 0.01, 2.1e-4, 1.57e-3, -3.1e-5);
-    // R = a²/c, b²/c about the lower vertex, 21 mm below a middle that is 11 mm above the centre of mass.
+    // R = a²/c, b²/c at the lower vertex, 21 mm below a centre that is 11 mm above the centre of
+    // mass.
     let [long, short] = [0.19_f64.powi(2) / 0.021 - h, 0.031_f64.powi(2) / 0.021 - h];
-    // Tilts about x and y: M = I + m h², and a tilt about x is towards y.
+    // Tilts about x and y: M = I + m h²; a tilt about x is towards y.
     let [a, b, d] = [ixx + m * h * h, ixy, iyy + m * h * h];
     let determinant = |x: f64| (m * G * short - x * a) * (m * G * long - x * d) - x * x * b * b;
     let frequencies: Vec<f64> = text
@@ -257,7 +261,8 @@ fn the_rattleback_rattles_as_it_is_said_to() {
         let x = frequency * frequency;
         assert!(determinant(x).abs() < 3e-5 * x * x * a * d, "{frequency}: {}", determinant(x));
     }
-    // The growth at a slow spin, against the run: the largest tilts in two spans of the quick swing.
+    // Growth at a slow spin, compared with the run: the largest tilts in two intervals of the fast
+    // oscillation.
     let pitched = Attitude::about(Direction::new(0.0, 1.0, 0.0), 1e-5).unwrap();
     let setting = Setting { attitude: pitched, ..rattleback(-0.8, 0.0) };
     let line = text.lines().find(|line| line.contains("it grows, σ = ")).unwrap();
@@ -270,12 +275,12 @@ fn the_rattleback_rattles_as_it_is_said_to() {
     near((most(7.5) / most(4.5)).ln() / 3.0, growth, 0.05);
     let answer = explain(&setting.scenario("Rattles", 0.1, 3)).unwrap().answer;
     assert!(answer[1].contains("spun with the clock, against its sense"), "{answer:?}");
-    // Neither sense is preferred if the axes are those of the underside.
+    // There is no preferred direction if the principal axes are those of the underside.
     let even = Setting { products: [0.0; 3], ..setting };
     assert!(!step(&even.scenario("Even", 0.1, 3), 5).contains("rattle"));
 }
 
-/// Where a marble turns back in its bowl, and when.
+/// Turning points of a marble in its bowl, and its period.
 #[test]
 fn the_marble_turns_between_its_bounds() {
     let setting = marble(GroundSide::Inside);
@@ -293,7 +298,7 @@ fn the_marble_turns_between_its_bounds() {
     near(gone.sum::<f64>(), turned, 1e-4);
 }
 
-/// What an egg needs to rise, by hand; and that it rises then.
+/// Condition for the egg to rise, computed independently; the egg then rises.
 #[test]
 fn the_egg_rises_if_it_is_said_to() {
     let setting = egg();
@@ -307,13 +312,13 @@ fn the_egg_rises_if_it_is_said_to() {
     let samples = motion(&setting.scenario("Rises", 1.5, 4));
     assert!(tilt(&samples.samples()[3]) < 0.4, "{}", tilt(&samples.samples()[3]));
     near(samples.samples()[3].state.omega.norm(), number(&text, "J/(C c) = "), 0.03);
-    // The peg's law, with b²/c for its radius.
+    // The law for a peg, with the radius b²/c.
     let radius = b * b / c;
     let law = 4.0 * (a + m * c * c) * m * G * (c - radius) / (c_moment + m * c * radius).powi(2);
     near(number(&text, ", and above "), law.sqrt(), 1e-4);
 }
 
-/// Each constant that is listed is the same when the motion has gone on.
+/// Each listed constant has the same value later in the motion.
 #[test]
 fn constants_are_constant() {
     let rolling = StartVelocity::Rolling;
@@ -371,7 +376,8 @@ fn constants_are_constant() {
     }
 }
 
-/// The numbers of the steps before: the constraint, N, and the accelerations, by differences of the run.
+/// Numbers of the steps before: the constraint, N, and the accelerations, from differences of the
+/// run.
 #[test]
 fn accelerations_are_those_of_the_run() {
     for setting in [disk(1.1, [5.0, -13.0]), egg(), rattleback(4.0, 0.3), marble(GroundSide::Inside)] {
@@ -391,7 +397,7 @@ fn accelerations_are_those_of_the_run() {
     }
 }
 
-/// Every formula is one that MathML is made of, so that no page shows it as letters.
+/// All formulas are converted to MathML, so that no page shows them as letters.
 #[test]
 fn every_formula_is_typeset() {
     for Solution { document, .. } in

@@ -1,4 +1,4 @@
-//! Bodies on the ground.
+//! Scenarios of bodies on the ground.
 
 use polhode::motion::GroundContact;
 use polhode::motion::contact::{
@@ -11,14 +11,14 @@ pub const G: f64 = 9.72;
 
 pub const UP: Direction<Space> = Direction::new(0.0, 0.0, 1.0);
 
-/// What all of them are made of.
+/// Parameters of a scenario on the ground.
 #[derive(Clone, Copy)]
 pub struct Setting {
     pub mass: f64,
     pub moments: [f64; 3],
     pub products: [f64; 3],
     pub shape: SurfaceShape,
-    /// From the centre of mass.
+    /// Centre of the surface relative to the centre of mass, m.
     pub center: [f64; 3],
     pub ground: Ground,
     pub law: ContactLaw,
@@ -47,7 +47,7 @@ impl Setting {
 
     pub fn scenario(&self, title: &str, duration: f64, samples: usize) -> Scenario {
         let inertia = InertiaTensor::with_negative_products(self.moments, self.products).unwrap();
-        // Not about the origin of the body's axes.
+        // The centre of mass is not at the origin of the body axes.
         let origin = Position::new(0.3, -0.2, 0.1);
         let body = MassProperties::new(self.mass, origin, inertia).unwrap();
         let center = origin + Position::from_array(self.center);
@@ -60,7 +60,7 @@ impl Setting {
         scenario.on_ground(ground).unwrap().sampled(super::run(duration, samples))
     }
 
-    /// The same from a sample of its motion on.
+    /// Continues from a sample of the motion.
     pub fn from(&self, sample: &ContactState) -> Self {
         Self {
             attitude: sample.state.attitude,
@@ -72,7 +72,8 @@ impl Setting {
     }
 }
 
-/// With z at an angle from the vertical, in a general direction.
+/// Returns an attitude whose z axis is inclined at `angle`, rad, from the vertical, in a generic
+/// direction.
 pub fn leaning(angle: f64) -> Attitude {
     Rotation::<Space, Space>::about(UP, 0.7).unwrap()
         * Attitude::about(Direction::new(1.0, 0.0, 0.0), angle).unwrap()
@@ -95,7 +96,7 @@ pub fn bowl(radius: f64, side: GroundSide) -> Ground {
     Ground::new(GroundShape::Sphere { radius, side }, UP).unwrap()
 }
 
-/// Of a hollow ball, more or less, that slips.
+/// Ball that slips, with nearly the moment of a hollow one.
 pub fn ball() -> Setting {
     let (mass, radius) = (0.31, 0.043);
     let moment = 0.53 * mass * radius * radius;
@@ -108,7 +109,7 @@ pub fn ball() -> Setting {
     }
 }
 
-/// A thin disk that rolls.
+/// Thin rolling disk.
 pub fn disk(tilt: f64, rates: [f64; 2]) -> Setting {
     let [rate, spin] = rates;
     Setting {
@@ -122,7 +123,7 @@ pub fn disk(tilt: f64, rates: [f64; 2]) -> Setting {
     }
 }
 
-/// A tippe top of group II, spun at its bottom.
+/// Tippe top of group II, spun with its centre of mass lowest.
 pub fn tippe_top() -> Setting {
     Setting {
         center: [0.0, 0.0, 0.0041],
@@ -134,7 +135,7 @@ pub fn tippe_top() -> Setting {
     }
 }
 
-/// Against its sense, with a small departure.
+/// Rattleback spun against its preferred direction, with a small tilt.
 pub fn rattleback(spin: f64, departure: f64) -> Setting {
     Setting {
         center: [0.0, 0.0, 0.011],
@@ -160,7 +161,7 @@ pub fn egg() -> Setting {
     }
 }
 
-/// A marble in a bowl, spinning about the normal too.
+/// Marble in or on a bowl, which also spins about the normal.
 pub fn marble(side: GroundSide) -> Setting {
     let up = if side == GroundSide::Inside { -1.0 } else { 1.0 };
     let (bowl_radius, part) = (0.37, [0.11, -0.07]);
@@ -176,7 +177,7 @@ pub fn marble(side: GroundSide) -> Setting {
     }
 }
 
-/// Lying across a slope.
+/// Cylinder lying across a slope.
 pub fn cylinder(angle: f64) -> Setting {
     let normal = Direction::<Space>::new(angle.sin(), 0.0, angle.cos());
     Setting {
@@ -192,7 +193,7 @@ pub fn cylinder(angle: f64) -> Setting {
     }
 }
 
-/// Of every kind, and of kinds that have no closed form.
+/// Returns scenarios of every kind, including kinds without a closed form.
 pub fn all() -> Vec<Scenario> {
     let viscous = ContactLaw::with_friction(Friction { sticking: 0.0, kinetic: 0.0, viscous: 0.4 }).unwrap();
     let both = ContactLaw::with_friction(Friction { sticking: 0.2, kinetic: 0.1, viscous: 0.3 }).unwrap();
@@ -224,7 +225,7 @@ pub fn all() -> Vec<Scenario> {
             Setting { law: ContactLaw::ROLLING, velocity: rolling, ..ball() },
         ),
         on(slope(0.1).turning_at(2.1).unwrap(), ball()),
-        // Chaplygin's ball, and one without any symmetry.
+        // Chaplygin's ball, and a ball without any symmetry.
         Setting {
             moments: [1e-4, 2e-4, 2.5e-4],
             products: [1e-5, 0.0, -2e-5],

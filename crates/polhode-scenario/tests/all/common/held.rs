@@ -1,10 +1,10 @@
-//! A motion with the state of what holds the body at each sample.
+//! Motion with the state of the contact or gimbals at each sample.
 
 use core::ops::Deref;
 
 use polhode::motion::{Channel, Trajectory};
 
-/// A motion with the state of what holds the body at each sample.
+/// Motion with the state of the contact or gimbals at each sample.
 pub struct Held<T> {
     motion: Trajectory,
     start: T,

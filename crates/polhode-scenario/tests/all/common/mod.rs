@@ -1,4 +1,4 @@
-//! Scenarios that the tests report on.
+//! Scenarios for the tests.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses some of them")]
 
 pub mod ground;
@@ -14,7 +14,7 @@ use polhode::prelude::*;
 use polhode_document::Document;
 use polhode_scenario::report::{explain, explain_motion};
 
-/// A body of particles.
+/// Returns a part that consists of particles.
 pub fn particles(list: &[(f64, [f64; 3])]) -> BodyPart {
     let particles: Vec<_> =
         list.iter().map(|(m, p)| Particle::new(*m, Position::from_array(*p)).unwrap()).collect();
@@ -29,7 +29,7 @@ pub fn particles(list: &[(f64, [f64; 3])]) -> BodyPart {
     }
 }
 
-/// A solid part at a place, turned about z.
+/// Returns a solid part at a position, rotated about z.
 pub fn solid(
     name: &str,
     kind: &'static str,
@@ -51,7 +51,7 @@ pub fn solid(
     }
 }
 
-/// A scenario that does nothing yet.
+/// Returns a scenario without motion.
 pub fn scenario(title: &str, parts: Vec<BodyPart>) -> Scenario {
     let properties: Vec<_> = parts.iter().map(|part| part.properties).collect();
     let body = MassProperties::combined(&properties).unwrap();
@@ -62,19 +62,19 @@ fn at_rest(title: &str, body: MassProperties<Body>, parts: Vec<BodyPart>) -> Sce
     Scenario::new(body).titled(title).made_of(parts)
 }
 
-/// The same from another ω.
+/// Replaces the initial ω.
 pub fn spinning(s: Scenario, omega: AngularVelocity<Body>) -> Scenario {
     let start = State { omega, ..s.start() };
     s.starting(start).unwrap()
 }
 
-/// The same from another attitude.
+/// Replaces the initial attitude.
 pub fn facing(s: Scenario, attitude: Attitude) -> Scenario {
     let start = State { attitude, ..s.start() };
     s.starting(start).unwrap()
 }
 
-/// A body given by its tensor, spinning.
+/// Returns a scenario of a body given by its tensor, with initial ω.
 pub fn tensor(title: &str, moments: [f64; 3], products: [f64; 3], omega: [f64; 3]) -> Scenario {
     let inertia = InertiaTensor::with_negative_products(moments, products).unwrap();
     let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
@@ -120,7 +120,7 @@ pub fn pendulum() -> Scenario {
     s
 }
 
-/// Examples 11.3 and 11.5: a cube of 2 kg and 3 m about its corner.
+/// Examples 11.3 and 11.5: a cube of 2 kg and edge 3 m about its corner.
 pub fn cube() -> Scenario {
     let cube = BoxShape::new([3.0; 3]).unwrap();
     let mut s = scenario("A cube about its corner", vec![solid("cube", "box", &cube, 2.0, [1.5; 3], 0.0)]);
@@ -128,7 +128,7 @@ pub fn cube() -> Scenario {
     s
 }
 
-/// Force-free symmetric top: a turned cylinder, flying.
+/// Force-free symmetric top: a rotated cylinder in free flight.
 pub fn symmetric_top() -> Scenario {
     let wheel = Cylinder::new(0.3, 0.1).unwrap();
     let mut s =
@@ -140,7 +140,7 @@ pub fn symmetric_top() -> Scenario {
     s
 }
 
-/// A T of two bars that flips.
+/// T-handle of two bars that flips.
 pub fn t_handle() -> Scenario {
     let (bar, stem) = (Cylinder::new(0.004, 0.04).unwrap(), BoxShape::new([0.006, 0.02, 0.006]).unwrap());
     let bar = solid("bar", "cylinder", &bar, 5.4e-3, [0.0, 0.0, 0.0], 0.0);
@@ -157,7 +157,7 @@ pub fn t_handle() -> Scenario {
     s
 }
 
-/// A T-handle whose names and findings are a text that somebody else has chosen.
+/// T-handle whose names and findings contain arbitrary text from outside.
 pub fn hostile(text: &str) -> Scenario {
     let handle = t_handle();
     let mut parts = handle.parts().to_vec();
@@ -171,7 +171,7 @@ pub fn hostile(text: &str) -> Scenario {
     }])
 }
 
-/// A spacecraft with a thruster: constant torque in body axes.
+/// Spacecraft with a thruster: constant torque in body axes.
 pub fn thruster() -> Scenario {
     let mut s = tensor("A thruster fires", [3.1, 4.2, 5.3], [0.4, -0.3, 0.2], [0.7, -1.1, 0.4]);
     s = s.under(vec![TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.3, -0.1, 0.2)))]).unwrap();
@@ -179,10 +179,11 @@ pub fn thruster() -> Scenario {
     s
 }
 
-/// The inertia, the torque and the start of the motor of the second wheel of [`gyrostat`].
+/// Inertia, kg·m², torque, N·m, and starting time, s, of the motor of the second wheel of
+/// [`gyrostat`].
 pub const MOTOR: [f64; 3] = [0.21, -0.35, 1.5];
 
-/// A body with two wheels inside: the speed of one is held, a motor turns the other.
+/// Body with two wheels: one has a held speed, the other is driven by a motor.
 pub fn gyrostat() -> Scenario {
     let [inertia, torque, from] = MOTOR;
     let mut s = tensor("Two wheels inside", [3.1, 4.2, 5.3], [0.4, -0.3, 0.2], [0.7, -1.1, 0.4]);
@@ -196,7 +197,7 @@ pub fn gyrostat() -> Scenario {
     s
 }
 
-/// A prescribed steady precession of a solid body.
+/// Prescribed steady precession of a solid body.
 pub fn gyroscope() -> Scenario {
     let wheel = Cylinder::new(0.3, 0.1).unwrap();
     let mut s =
@@ -219,7 +220,7 @@ pub fn point() -> Scenario {
     s
 }
 
-/// Numbers with all their digits, in the widest sums that are written out.
+/// Particles with numbers of many digits, in the widest sums that are written out.
 pub fn many_particles() -> Scenario {
     let list: Vec<_> = (1..=6)
         .map(|k| {
@@ -237,14 +238,15 @@ pub fn many_particles() -> Scenario {
     s
 }
 
-/// A scenario, its motion if it has a run, and its worked solution.
+/// Scenario, its motion if it has a run, and its worked solution.
 pub struct Solution {
     pub scenario: Scenario,
     pub trajectory: Option<Trajectory>,
     pub document: Document,
 }
 
-/// Of everything of which there is one. They take some seconds, once for all tests.
+/// Returns the worked solutions of all scenarios that have one. They take some seconds, once for
+/// all tests.
 pub fn solutions() -> &'static [Solution] {
     static SOLUTIONS: OnceLock<Vec<Solution>> = OnceLock::new();
     let solve = |scenario: Scenario| {
@@ -258,7 +260,7 @@ pub fn solutions() -> &'static [Solution] {
     SOLUTIONS.get_or_init(|| all().into_iter().chain(ground::all()).map(solve).collect())
 }
 
-/// Everything above, and cases at the edges.
+/// Returns all scenarios above, and edge cases.
 pub fn all() -> Vec<Scenario> {
     let over_the_top =
         Suspension { axis: Direction::new(0.0, 0.0, 2.0), amplitude: Some(std::f64::consts::PI) };

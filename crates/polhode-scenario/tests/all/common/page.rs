@@ -1,4 +1,4 @@
-//! Tables and blocks of the pages of the book.
+//! Tables and code blocks of the book's pages.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,8 @@ pub fn scenario_reference() -> String {
     pages.iter().map(|name| fs::read_to_string(root().join("book").join(name)).unwrap() + "\n").collect()
 }
 
-/// The ```toml blocks of a page: the number of the first line, whether it is a fragment, the text.
+/// Returns the `toml` blocks of a page: number of the first line, true for a fragment, and the
+/// text.
 pub fn blocks(page: &str) -> Vec<(usize, bool, String)> {
     let mut found: Vec<(usize, bool, String)> = Vec::new();
     let mut inside = None;
@@ -49,14 +50,14 @@ pub fn blocks(page: &str) -> Vec<(usize, bool, String)> {
     found
 }
 
-/// The text from a heading to the next one, whatever its level.
+/// Returns the text from a heading to the next heading of any level.
 pub fn section<'a>(page: &'a str, heading: &str) -> &'a str {
     let start = page.find(&format!("\n{heading}\n")).unwrap_or_else(|| panic!("no heading {heading:?}"));
     let text = &page[start + 1 + heading.len()..];
     &text[..text.find("\n#").unwrap_or(text.len())]
 }
 
-/// The cells of the tables of a text, without their headers.
+/// Returns the cells of the tables in a text, without the header rows.
 pub fn rows(text: &str) -> Vec<Vec<&str>> {
     let mut rows = Vec::new();
     let mut above = "";
@@ -72,7 +73,7 @@ pub fn rows(text: &str) -> Vec<Vec<&str>> {
     rows
 }
 
-/// The `names` in a cell.
+/// Returns the `names` in a cell.
 pub fn names(cell: &str) -> impl Iterator<Item = &str> {
     cell.split('`').skip(1).step_by(2)
 }

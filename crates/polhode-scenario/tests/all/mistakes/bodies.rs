@@ -1,4 +1,4 @@
-//! Bodies that cannot be.
+//! Errors in scenario files: unphysical bodies.
 
 use polhode::body::BodyError;
 use polhode_source::FormatErrorKind;

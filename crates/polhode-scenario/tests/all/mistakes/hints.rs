@@ -1,5 +1,6 @@
-//! A hint, obeyed, is right: every example is spoilt at every place in several ways, the hint is followed to the letter, and what
-//! comes of it is read, with the meaning that it had where the hint could know it.
+//! A hint, when followed, gives a valid file. Every example is changed at every place in several
+//! ways, and the hint is followed literally. The result is read; it has the original meaning
+//! wherever the hint can know it.
 
 use std::fs;
 use std::ops::Range;
@@ -9,7 +10,7 @@ use polhode_scenario::read as scenario;
 use polhode_source::files::Disk;
 use polhode_source::{FormatError, FormatErrorKind};
 
-/// An example that is read, its text, and what it says.
+/// A valid example, its text, and its meaning.
 struct Example {
     path: PathBuf,
     text: String,
@@ -60,7 +61,7 @@ fn replaced(text: &str, place: &Range<usize>, with: &str) -> String {
     [&text[..place.start], with, &text[place.end..]].concat()
 }
 
-/// The words before ` = `, outside of comments and strings.
+/// Returns the words before ` = `, outside comments and strings.
 fn keys(text: &str) -> Vec<Range<usize>> {
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     text.match_indices(" = ")
@@ -73,7 +74,7 @@ fn keys(text: &str) -> Vec<Range<usize>> {
         .collect()
 }
 
-/// The strings behind ` = `, without their quotes, and those in arrays.
+/// Returns the strings after ` = `, without their quotes, and those in arrays.
 fn strings(text: &str) -> Vec<Range<usize>> {
     let mut found = Vec::new();
     let mut at = 0;
@@ -89,7 +90,7 @@ fn strings(text: &str) -> Vec<Range<usize>> {
     found
 }
 
-/// A slip of the pen: the second and the third letter swapped.
+/// Simulates a typing error: the second and third letters swapped.
 fn slip(word: &str) -> Option<String> {
     let mut letters: Vec<char> = word.chars().collect();
     let differ = letters.len() >= 4
@@ -101,12 +102,12 @@ fn slip(word: &str) -> Option<String> {
     })
 }
 
-/// What stands between `did you mean ` and the question mark.
+/// Returns the text between `did you mean ` and the question mark.
 fn meant(hint: &str) -> Option<&str> {
     Some(hint.strip_prefix("did you mean ")?.split_once('?')?.0)
 }
 
-/// The first thing that the hint says to write.
+/// Returns the first text that the hint says to write.
 fn to_write(hint: &str) -> Option<&str> {
     let rest = hint.strip_prefix("write ")?;
     let (mut depth, mut quoted) = (0, false);
@@ -125,7 +126,7 @@ fn a_misspelt_key_is_told_its_name() {
     for Example { path, text, meaning: was } in &examples() {
         for place in keys(text) {
             let Some(wrong) = slip(&text[place.clone()]) else { continue };
-            // What is asked has the names that its user gives it.
+            // Keys of this section are names that the user chooses.
             if text[..place.start]
                 .rfind("\n[")
                 .is_some_and(|at| text[at..].starts_with("\n[sweep.questions]"))
@@ -157,7 +158,7 @@ fn a_misspelt_name_is_told_its_own() {
         for place in strings(text) {
             let Some(wrong) = slip(&text[place.clone()]) else { continue };
             let spoilt = replaced(text, &place, &wrong);
-            // Titles and names of parts are anybody's.
+            // Titles and names of parts may be any text.
             let Err(error) = meaning(&spoilt, path) else { continue };
             let hint = error.hint().unwrap_or_default();
             let Some(name) = meant(&hint) else { panic!("{}: {wrong}: {error}; {hint}", path.display()) };
@@ -175,7 +176,7 @@ fn a_misspelt_name_is_told_its_own() {
     assert!(count > 80, "{count}");
 }
 
-/// A key that is left out: what the hint says to write in its place is read there.
+/// Omits a key, writes the text of the hint in its place, and reads the result.
 #[test]
 fn a_missing_key_comes_with_a_line_that_will_do() {
     let mut count = 0;
@@ -192,7 +193,7 @@ fn a_missing_key_comes_with_a_line_that_will_do() {
             let Err(error) = meaning(&replaced(text, &line, ""), path) else { continue };
             let FormatErrorKind::MissingKey { key, .. } = error.kind() else { continue };
             let hint = error.hint().unwrap_or_default();
-            // Where one line is not enough the hint has both, in the order of the file or not.
+            // If one line is not enough, the hint has both lines, in the order of the file or not.
             let example = to_write(&hint).unwrap_or_else(|| panic!("{error}; {hint}"));
             let other = hint
                 .split_once(" and ")
@@ -201,7 +202,8 @@ fn a_missing_key_comes_with_a_line_that_will_do() {
                 .filter(|other| other.contains(" = ") && !text.contains(other.split(' ').next().unwrap()));
             let example = &[example, both.as_deref().unwrap_or_default()].join("\n");
             if let Err(again) = meaning(&replaced(text, &line, example), path) {
-                // The body of this example is not the one of the file: what was said of its size or place still binds it.
+                // The body of this example differs from the one in the file, whose size or place
+                // still limits it.
                 let of_others = matches!(
                     again.kind(),
                     FormatErrorKind::Body(_)
@@ -209,7 +211,7 @@ fn a_missing_key_comes_with_a_line_that_will_do() {
                         | FormatErrorKind::Io { .. }
                         | FormatErrorKind::Unit(_)
                 );
-                // In place of rolls there may be the velocity of another table.
+                // The velocity of another table may replace `rolls`.
                 let bound = ["shape", "model", "measure", "duration", "rolls"].contains(key);
                 assert!(
                     of_others || bound || matches!(again.kind(), FormatErrorKind::Conflict { .. }),
@@ -223,7 +225,7 @@ fn a_missing_key_comes_with_a_line_that_will_do() {
     assert!(count > 100, "{count}");
 }
 
-/// A list, or a number, in the place of a table.
+/// Tests a list or a number in the place of a table.
 #[test]
 fn a_table_is_shown_where_something_else_stands() {
     let mut count = 0;
@@ -263,7 +265,7 @@ fn a_table_is_shown_where_something_else_stands() {
     assert!(count > 30, "{count}");
 }
 
-/// One number of a list without the unit that the others have.
+/// Tests one number of a list without the unit that the others have.
 #[test]
 fn a_number_without_its_unit_is_refused_among_those_with_one() {
     let mut count = 0;
@@ -294,7 +296,7 @@ fn a_number_without_its_unit_is_refused_among_those_with_one() {
     assert!(count > 20, "{count}");
 }
 
-/// What others call otherwise.
+/// Tests names used by other programs.
 #[test]
 fn words_of_others_are_told_ours() {
     const BODY: &str = "[[body.part]]\nshape = 'box'\nsize = [1, 2, 3]\nmass = '12 kg'\n";

@@ -1,4 +1,4 @@
-//! Scenario files: what every mistake in one is answered with.
+//! Errors in scenario files: message, place and hint of each.
 
 mod bodies;
 mod hints;
@@ -19,7 +19,8 @@ fn parse(text: &str) -> Result<Scenario, FormatError> {
     scenario::parse(text, Path::new("test.toml"))
 }
 
-/// Refuses `text`, in which « and » mark the place of the mistake, with that message and a hint that starts so.
+/// Checks that `text` is refused with this message, and with a hint that starts with `hint`. The
+/// characters « and » enclose the place of the error.
 #[track_caller]
 fn refuses(text: &str, message: &str, hint: &str) -> FormatError {
     let start = text.find('«').expect("a mark");
@@ -398,10 +399,10 @@ fn the_grammar_of_toml_is_kept() {
     );
     refuses("[body]\nx = [1,\n2«»", "unclosed array, expected `]`", "a line is key = value");
     refuses("# ä ö\nx = «1 y»", "string values must be quoted, expected literal string", "a quantity");
-    // A byte order mark is no column.
+    // A byte order mark does not count as a column.
     let error = parse("\u{feff}x = 1").unwrap_err();
     assert_eq!(error.to_string(), "test.toml:1:1: unknown key \"x\" in the file");
-    // Lines may end as they do elsewhere.
+    // Lines may end with CR LF.
     let error = parse(&BALL.replace('\n', "\r\n").replace("20 mm", "20 kg")).unwrap_err();
     assert_eq!(
         error.place().map(|p| (p.line, p.column, p.excerpt.as_str())),
@@ -462,7 +463,7 @@ fn a_key_in_another_table_is_told_its_own() {
         "write [[torque]]",
     );
     assert!(!parse("").unwrap_err().hint().unwrap().contains('\n'));
-    // Where nothing says which shape it is, the keys of all are listed.
+    // If the shape is not stated, the keys of all shapes are listed.
     let many = parse("[[body.part]]\nzzz=1").unwrap_err().hint().unwrap();
     assert!(
         !many.contains('…')
@@ -503,7 +504,8 @@ fn a_pendulum_swings_under_gravity_alone() {
 #[test]
 fn what_others_wrote_does_not_reach_the_terminal() {
     for c in ['\u{1b}', '\u{9b}', '\u{202a}', '\u{202e}', '\u{2066}', '\u{2069}', '\u{200f}', '\u{7f}'] {
-        // TOML takes controls in an escape only, and not all of these are controls.
+        // TOML allows control characters in escapes only, and not all of these are control
+        // characters.
         let plain = format!("{BALL}# {c}\n{RUN}method = 'a{c}b' # {c}");
         let quoted = format!("{BALL}\"a\\u{:04X}b\" = 1", u32::from(c));
         for text in [plain, quoted] {

@@ -1,4 +1,4 @@
-//! Mistakes in what turns a body: torques, wheels, events.
+//! Errors in scenario files: torques, wheels, events.
 
 use polhode_source::FormatErrorKind;
 
@@ -281,7 +281,8 @@ fn wheels_that_make_no_sense_are_refused() {
         "until = 2 must be later than the start of the motor",
         "a run starts at 0",
     );
-    // The ball has 0.4 · 0.5 kg · (20 mm)² = 8e-5 kg·m²: no wheel in it has more, whether it turns freely or is held.
+    // The ball has 0.4 · 0.5 kg · (20 mm)² = 8e-5 kg·m². A wheel in it cannot have more, whether it
+    // rotates freely or is held.
     for motor in ["motor_torque=0", ""] {
         let keys = format!("axis=[0,0,1]\nspeed=1\ninertia='1e-4 kg m^2'\n{motor}");
         let error = parse(&wheel(&keys)).unwrap_err();
@@ -313,7 +314,7 @@ fn wheels_that_make_no_sense_are_refused() {
     );
 }
 
-/// L = I ω + h at the start, whichever way a wheel is given, held or turned by a motor.
+/// L = I ω + h at the start, for each form of wheel, held or driven by a motor.
 #[test]
 fn the_momentum_of_a_start_is_that_with_the_wheels() {
     let body =
@@ -444,7 +445,7 @@ fn a_torque_s_formula_is_answered_at_its_place() {
         message,
         "divide by a quantity of the same dimension, such as 90[s]",
     );
-    // of a string with escapes, the string is the place
+    // In a string with escapes the place is the whole string.
     let message = "unknown variable qw²";
     refuses(&with("«\"1[N m]*qw\\u00b2\"», 0, 0"), message, "did you mean qw?");
     refuses(&with("0, «true», 0"), "torque must be a torque, not true or false", "write \"0.1 N m\"");

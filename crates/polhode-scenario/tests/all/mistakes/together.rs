@@ -1,4 +1,4 @@
-//! What stands together goes together: units in a list, and the orbit of several torques.
+//! Values that must agree: units in a list, and the orbit of several torques.
 
 use super::{BALL, RUN, parse, refuses};
 use polhode_source::files::Disk;
@@ -31,7 +31,7 @@ fn numbers_of_a_list_have_their_units_all_or_none() {
         "list = 2.5e1 must be given with its unit, like the other element \"10 mm\"",
         "write \"2.5e1 mm\", or \"2.5e1 m\"",
     );
-    // Zero is zero in every unit, and a formula says its units itself.
+    // Zero is zero in every unit, and a formula has its own units.
     for right in
         ["position = ['1 mm', 0, '0']", "position = [0.001, 2, 3]", "position = ['1 mm', '-0.0', '2 in']"]
     {
@@ -68,7 +68,8 @@ fn a_satellite_has_one_orbit() {
     );
     let plan = "[sweep]\nmembers=3\nsampling='monte carlo'\n[[sweep.vary]]\n";
     let uniform = "uniform={from='6900 km',to='7100 km'}";
-    // It varies for both torques, for the start and for the length of the run.
+    // A variation of the orbit applies to both torques, to the start and to the duration of the
+    // run.
     let start = "[orbit]\nradius='7000 km'\n[start]\nrelative_to='orbit'\n";
     let run = "[run]\nduration='2 orbits'\nsamples=2\n";
     let plan = format!("{BALL}{start}{GRADIENT}{MAGNET}{run}{plan}key='orbit.radius'\n{uniform}");
@@ -100,7 +101,7 @@ fn a_rate_that_no_orbit_about_the_earth_has_is_asked_for_its_unit() {
     assert!(gradient("rate='0.002 rad/s',mu='4.9e12 m^3/s^2'").unwrap().findings().is_empty());
 }
 
-/// A box of three sides as OBJ.
+/// Returns a box with these edges as OBJ.
 fn obj([a, b, c]: [f64; 3]) -> String {
     let vertices: String = (0..8)
         .map(|k| {
@@ -133,7 +134,8 @@ fn a_mesh_in_metres_that_nobody_gave_is_asked_beside_the_other_parts() {
     for declared in ["mm", "m", "in"] {
         assert_eq!(asked("plate.obj", &format!("unit='{declared}'")), [], "{declared}");
     }
-    // The box of the ball's moments has sides of 31 mm: 39 times as long is a body on a ball.
+    // The box with the ball's moments has edges of 31 mm. A body 39 times as long is accepted on a
+    // ball.
     assert_eq!(asked("small.obj", ""), []);
     std::fs::remove_dir_all(&folder).unwrap();
 }

@@ -1,6 +1,7 @@
-//! The estimate of a motion's error, held against its true error: `book/error.md`.
+//! Estimated error of a motion, compared with its true error: `book/error.md`.
 //!
-//! `POLHODE_GOLDEN=write cargo test -p polhode-scenario --test all motion_errors` writes the page anew; read the difference.
+//! `POLHODE_GOLDEN=write cargo test -p polhode-scenario --test all motion_errors` writes the page
+//! again; review the difference.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -10,14 +11,14 @@ use polhode::motion::{ErrorEffort, Solution};
 
 use super::Case;
 
-/// The page, but for its numbers.
+/// The page with placeholders for its numbers.
 const PAGE: &str = include_str!("error.md");
 
-/// Estimate over error of the states of some motions.
+/// Ratios of estimate to true error, for the states of several motions.
 #[derive(Default)]
 struct Ratios {
     motions: usize,
-    /// Motions with a state whose estimate is below half of its error.
+    /// Number of motions with a state whose estimate is below half of its error.
     low: usize,
     attitude: Vec<f64>,
     omega: Vec<f64>,
@@ -41,7 +42,7 @@ impl Ratios {
     }
 }
 
-/// Ratios for each kind of motion, for each method, and for all.
+/// Returns the ratios by kind of motion, by method, and for all.
 fn measured(cases: &[Case], effort: ErrorEffort) -> [BTreeMap<String, Ratios>; 3] {
     let mut all: [BTreeMap<String, Ratios>; 3] = Default::default();
     for case in cases {
@@ -52,7 +53,7 @@ fn measured(cases: &[Case], effort: ErrorEffort) -> [BTreeMap<String, Ratios>; 3
             let at = trajectory.samples().iter().position(|sample| sample.state.time == time).unwrap();
             error.computation()[at]
         };
-        // What is off by less than 1e-17 is right; so is any estimate.
+        // An error below 1e-17 counts as zero, and so does its estimate.
         let ratio = |estimate: f64, off: f64| estimate / off.max(1e-17);
         let states: Vec<[f64; 2]> = (case.off(&trajectory).iter().zip(&case.truth))
             .map(|(off, truth)| {
@@ -77,7 +78,7 @@ fn quantile(ratios: &mut [f64], p: f64) -> f64 {
     ratios[((ratios.len() - 1) as f64 * p) as usize]
 }
 
-/// Two digits, rounded down: no ratio looks better than it is.
+/// Formats two digits, rounded down, so that no ratio looks better than it is.
 fn down(x: f64) -> String {
     let unit = 10_f64.powf(x.log10().floor() - 1.0);
     let x = (x / unit + 1e-9).floor() * unit;

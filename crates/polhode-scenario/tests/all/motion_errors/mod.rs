@@ -1,5 +1,6 @@
-//! Scenarios of every torque model, held against their true motions: `fixtures/motion_errors.toml`, whose generator reads the same
-//! texts and shares no code with the program.
+//! Scenarios with every torque model, compared with their true motions in
+//! `fixtures/motion_errors.toml`. The generator of the fixture reads the same texts and shares no
+//! code with the program.
 
 mod estimate;
 
@@ -9,29 +10,29 @@ use polhode::motion::Solution;
 use polhode::prelude::*;
 use polhode_scenario::read as scenario;
 
-/// A motion and what it truly is.
+/// A scenario and its true states.
 struct Case {
     name: String,
     kind: String,
     scenario: Scenario,
-    /// How many times further apart two motions get that begin near to each other; `None` of a long free motion.
+    /// Amplification of a small initial difference over the run; `None` for a long free motion.
     growth: Option<f64>,
     truth: Vec<Truth>,
 }
 
-/// A true state, each number in two words.
+/// A true state; each number is a double-double.
 struct Truth {
     time: f64,
     attitude: [[f64; 2]; 4],
     omega_body: [[f64; 2]; 3],
 }
 
-/// How far a state is off.
+/// Error of a state.
 #[derive(Clone, Copy, Debug)]
 struct Off {
-    /// The angle between the attitudes, rad.
+    /// Angle between the attitudes, rad.
     attitude: f64,
-    /// |Δω|/|ω|.
+    /// Relative error of ω: |Δω|/|ω|.
     omega: f64,
 }
 
@@ -60,7 +61,7 @@ impl Case {
         self.scenario.simulate().unwrap().unwrap_or_else(|e| panic!("{}: {e}", self.name))
     }
 
-    /// How far a trajectory is off at each of the true states.
+    /// Returns the errors of a trajectory at the true states.
     fn off(&self, trajectory: &Trajectory) -> Vec<Off> {
         assert!(trajectory.ending().is_complete(), "{}", self.name);
         let at = |truth: &Truth| {
@@ -76,7 +77,7 @@ impl Truth {
         let q = state.attitude.quaternion();
         let sign =
             if q.iter().zip(self.attitude).map(|(a, [b, _])| a * b).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
-        // a quaternion's length is no part of the attitude
+        // The norm of a quaternion does not affect the attitude.
         let d: [f64; 4] = std::array::from_fn(|k| (sign * q[k] - self.attitude[k][0]) - self.attitude[k][1]);
         let along: f64 = d.iter().zip(self.attitude).map(|(d, [b, _])| d * b).sum();
         let across =
@@ -101,7 +102,7 @@ fn words<const N: usize>(list: &toml::Value) -> [[f64; 2]; N] {
     std::array::from_fn(|k| two_words(list[k].as_str().unwrap()))
 }
 
-/// A decimal as the double next to it and what is left.
+/// Splits a decimal number into the nearest double and the remainder.
 fn two_words(text: &str) -> [f64; 2] {
     let high: f64 = text.parse().unwrap();
     let [(digits, place), (mut nearest, at)] = [text, &format!("{high:.33e}")].map(decimal);
@@ -115,7 +116,7 @@ fn two_words(text: &str) -> [f64; 2] {
     [high, low]
 }
 
-/// (m, e) with m 10^(e − 33) the number: m of 34 digits.
+/// Returns (m, e) with the number m 10^(e − 33), where m has 34 digits.
 fn decimal(text: &str) -> (i128, i32) {
     let (sign, text) = text.strip_prefix('-').map_or((1, text), |rest| (-1, rest));
     let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
@@ -135,7 +136,7 @@ fn a_decimal_is_two_words() {
     let [high, low] = two_words("-3.1415926535897932384626433832795e-7");
     assert_eq!(high, -3.141_592_653_589_793e-7);
     assert!(low != 0.0 && low.abs() < 2.7e-23, "{low:e}");
-    // 1 − 2⁻⁶⁰, whose double is 1
+    // 1 − 2⁻⁶⁰; its nearest double is 1.
     let [high, low] = two_words("0.99999999999999999913263826201159645");
     assert!(high == 1.0 && (low * 2f64.powi(60) + 1.0).abs() < 1e-13, "{low:e}");
 }
@@ -148,7 +149,8 @@ fn every_motion_is_near_its_true_one() {
         let run = case.scenario.run().unwrap();
         let trajectory = case.simulated();
         let fastest = case.truth.iter().map(Truth::speed).fold(case.scenario.start().omega.norm(), f64::max);
-        // a step's error in each radian, carried by the motion's own sensitivity; what splitting is off by hangs on its steps
+        // Error of a step per radian, amplified by the motion. The error of the splitting method
+        // depends on its step size.
         let step = match run.method {
             Method::Splitting { .. } => 1e-3,
             _ => run.tolerance,
@@ -158,7 +160,7 @@ fn every_motion_is_near_its_true_one() {
         let growth = case.growth.unwrap_or(1.0 + turned);
         let limit = if exact { 1e-12 } else { 4.0 * growth * step * (1.0 + turned) };
         for (off, truth) in case.off(&trajectory).iter().zip(&case.truth) {
-            // of a body that is almost at rest ω is not known to its own size
+            // If the body is almost at rest, ω is not accurate relative to its own size.
             let omega = off.omega * truth.speed() / fastest;
             let (name, time) = (&case.name, truth.time);
             assert!(off.attitude.max(omega) < limit, "{name} at {time} s: {off:?}, limit {limit:e}");

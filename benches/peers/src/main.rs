@@ -1,4 +1,5 @@
-//! Mass properties of a mesh by parry, from an STL file or from a list of f64 triangles; one line of JSON.
+//! Mass properties of a mesh by parry, as one line of JSON. The input is an STL file or a list of
+//! f64 triangles.
 //!
 //! peers stl FILE.stl        read by stl_io, as people do
 //! peers raw FILE            nine little-endian f64 a triangle

@@ -30,8 +30,9 @@ use crate::torque::Torque;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
-/// Exit status: 0 success; 1 check or judge has findings; 2 invalid input or usage; 3 the computation did not reach its tolerance. With
-/// several files, the worst status counts, in the order 2, 3, 1. Results go to standard output, messages to standard error.
+/// Exit status: 0 success; 1 check or judge has findings; 2 invalid input or usage; 3 the
+/// computation did not reach its tolerance. With several files, the worst status counts, in the
+/// order 2, 3, 1. Results go to standard output, messages to standard error.
 #[derive(Debug, Parser)]
 #[command(name = "polhode", version, after_help = examples(), max_term_width = 100)]
 pub(crate) struct Polhode {

@@ -31,12 +31,15 @@ const AT_FIRST: [&str; 7] = ["about", "along", "draws", "seed", "diff", "configu
 
 /// Sum a parts list: mass, centre of mass and inertia with uncertainties.
 ///
-/// The list has one row per part, as CSV or XLSX; a TOML plan can name the table. The book describes the format. The report contains
-/// basic, predicted and allowable masses of all rows; mass properties about any point and along any axes; the first-order covariance
-/// of all ten numbers, compared with random draws of physical bodies; principal axes and their tilt; and the error breakdown.
+/// The list has one row per part, as CSV or XLSX; a TOML plan can name the table. The book
+/// describes the format. The report contains basic, predicted and allowable masses of all rows;
+/// mass properties about any point and along any axes; the first-order covariance of all ten
+/// numbers, compared with random draws of physical bodies; principal axes and their tilt; and the
+/// error breakdown.
 ///
-/// The default is 10,000 draws. Lists of more than 2,000 rows get fewer, at least 200: rows times draws is at most 20 million.
-/// A number of draws in the file or in --draws is never changed. --draws 0 turns draws off.
+/// The default is 10,000 draws. Lists of more than 2,000 rows get fewer, at least 200: rows times
+/// draws is at most 20 million. A number of draws in the file or in --draws is never changed.
+/// --draws 0 turns draws off.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -61,7 +64,8 @@ pub(crate) struct BudgetCommand {
     /// Print a self-contained HTML page with figures.
     #[arg(long, group = "form")]
     html: bool,
-    /// Print CSV: masses and mass properties of each row of the list, or of the total over time or by fill level of the tanks.
+    /// Print CSV: masses and mass properties of each row of the list, or of the total over time or
+    /// by fill level of the tanks.
     #[arg(long, group = "form", value_enum, value_name = "TABLE", num_args = 0..=1, require_equals = true, default_missing_value = "parts", conflicts_with_all = GIVEN)]
     csv: Option<Table>,
     /// Write all these tables to an XLSX workbook, with sheets for the total and its covariance.
@@ -70,10 +74,12 @@ pub(crate) struct BudgetCommand {
     /// Print the total as a part of a scenario file, for simulate, stability and sweep.
     #[arg(long, group = "form", conflicts_with_all = GIVEN)]
     body: bool,
-    /// Write a plan for sweep: mass, centre of mass and tensor of its members vary with the list's errors and their correlations.
+    /// Write a plan for sweep: mass, centre of mass and tensor of its members vary with the list's
+    /// errors and their correlations.
     #[arg(long, groups = ["form", "written"], value_name = "OUT.toml", conflicts_with_all = DRAWN)]
     sweep: Option<PathBuf>,
-    /// Write the sequence over time as a scenario for simulate, and the table of mass properties as a CSV file next to it.
+    /// Write the sequence over time as a scenario for simulate, and the table of mass properties as
+    /// a CSV file next to it.
     #[arg(long, groups = ["form", "written"], value_name = "OUT.toml", conflicts_with_all = AT_FIRST)]
     scenario: Option<PathBuf>,
     /// Overwrite existing files of --xlsx, --sweep and --scenario.

@@ -65,7 +65,8 @@ pub(crate) struct Check {
     /// unchanged.
     #[arg(long = "fix", value_name = "OUT", num_args = 0..=1, conflicts_with_all = ["baseline", "write_baseline"])]
     out: Option<Option<PathBuf>>,
-    /// Replace existing output files of --fix, --output and --write-baseline; never the model itself.
+    /// Replace existing output files of --fix, --output and --write-baseline; never the model
+    /// itself.
     #[arg(long, requires = "written")]
     force: bool,
     /// Print a rule with its reason, fix and example; without CODE, list all rules, one per line.
@@ -84,7 +85,8 @@ struct Form {
     /// Print JSON: one object for one file, an array for several or for a folder.
     #[arg(long)]
     json: bool,
-    /// Print a table with one line per link: mass, centre, principal moments, equivalent box, density, verdict.
+    /// Print a table with one line per link: mass, centre, principal moments, equivalent box,
+    /// density, verdict.
     #[arg(long, conflicts_with = "json")]
     table: bool,
 }

@@ -10,9 +10,10 @@ use crate::stdout::print;
 
 /// Show the worked solution of a scenario, with every formula and number.
 ///
-/// The steps: the body; 1 the axes; 2 ω and N at the start; 3 the inertia tensor and its principal axes; 4 Euler's equations; 5 ω(t);
-/// 6 the attitude. For a prescribed motion, the solution gives the required torque and the forces on the particles; for a pendulum, the
-/// frequency and the exact period.
+/// The steps: the body; 1 the axes; 2 ω and N at the start; 3 the inertia tensor and its principal
+/// axes; 4 Euler's equations; 5 ω(t); 6 the attitude. For a prescribed motion, the solution gives
+/// the required torque and the forces on the particles; for a pendulum, the frequency and the exact
+/// period.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -11,9 +11,11 @@ use crate::stdout::print;
 
 /// Estimate a body's mass properties from measurements of its motion.
 ///
-/// A plan (a TOML file) describes the measurement: the free motion of a thrown body with a gyro on it ([tumble]), the periods of its swings on wires or about an axis
-/// ([swing]), or the wrenches of a force–torque sensor that moves with the body ([payload]). A gyro log, or swings counted about one axis, need no plan.
-/// Every estimate is a physical body. The report states what the measurements do not determine, and tests whether the residuals are noise.
+/// A plan (a TOML file) describes the measurement: the free motion of a thrown body with a gyro on
+/// it ([tumble]), the periods of its swings on wires or about an axis ([swing]), or the wrenches of
+/// a force–torque sensor that moves with the body ([payload]). A gyro log, or swings counted about
+/// one axis, need no plan. Every estimate is a physical body. The report states what the
+/// measurements do not determine, and tests whether the residuals are noise.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -28,8 +28,9 @@ use crate::stdout::print;
 
 /// Compute mass, centre of mass, inertia tensor, principal moments and axes.
 ///
-/// Input: scenarios (TOML), meshes, molecules, particles, voxel grids, CAD reports, robot models. The tensor is about
-/// the centre of mass, along body axes; its off-diagonal elements are minus the integrals, I_xy = -∫xy dm.
+/// Input: scenarios (TOML), meshes, molecules, particles, voxel grids, CAD reports, robot models.
+/// The tensor is about the centre of mass, along body axes; its off-diagonal elements are minus the
+/// integrals, I_xy = -∫xy dm.
 #[derive(Debug, Args)]
 #[command(after_help = ["\
 Examples:

@@ -11,7 +11,8 @@ use polhode_source::files::Disk;
 use crate::failure::Failure;
 use crate::form::Form;
 
-/// Compare the motion that another program computed with the exact motion, and find the cause of its error.
+/// Compare the motion that another program computed with the exact motion, and find the cause of
+/// its error.
 ///
 /// The scenario defines the motion, and RUN is the log of the program: times and attitudes, and
 /// optionally angular velocities, as CSV, Parquet or JSON lines. A log may name a scenario in its
@@ -20,8 +21,8 @@ use crate::form::Form;
 /// is then compared with the exact motion. Several runs of one scenario with different steps give
 /// the order of accuracy.
 ///
-/// Exit status: 0 if the motion is correct, 1 if a mistake was found or an error is above the limit,
-/// 2 if the run cannot be judged.
+/// Exit status: 0 if the motion is correct, 1 if a mistake was found or an error is above the
+/// limit, 2 if the run cannot be judged.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -33,7 +34,8 @@ Examples:
 pub(crate) struct Judge {
     #[command(flatten)]
     request: Request,
-    /// Write the suite into a new folder: suite.json, a scenario for each case, and its exact motion in exact/.
+    /// Write the suite into a new folder: suite.json, a scenario for each case, and its exact
+    /// motion in exact/.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["files", "form", "limit", "roots", "step", "columns", "quaternion", "sense", "omega", "axes", "time_origin"])]
     write_suite: Option<PathBuf>,
     #[command(flatten)]

@@ -12,9 +12,11 @@ use crate::stdout::print;
 
 /// Interactive 3-D page: change parameters and see the motion.
 ///
-/// The page is served on 127.0.0.1 and opens only with the printed address; other sites cannot use it. It shows scenarios, meshes, molecules
-/// and particles. For a defective mesh it shows the location of each defect; for a robot, every link with its inertia and the fixes. Drop
-/// further files on the page to open them. Nothing is written to disk: save results from the page. Press Ctrl-C to stop.
+/// The page is served on 127.0.0.1 and opens only with the printed address; other sites cannot use
+/// it. It shows scenarios, meshes, molecules and particles. For a defective mesh it shows the
+/// location of each defect; for a robot, every link with its inertia and the fixes. Drop further
+/// files on the page to open them. Nothing is written to disk: save results from the page. Press
+/// Ctrl-C to stop.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -15,8 +15,9 @@ use crate::partial;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Plots")]
 pub(crate) struct PlotFlags {
-    /// Draw all figures of the motion into FILE.svg or FILE.png; NAME=FILE draws one of them: omega, euler, pointing, axis,
-    /// energy, momentum, wheels, torque, drift, polhodes or herpolhode. May be repeated.
+    /// Draw all figures of the motion into FILE.svg or FILE.png; NAME=FILE draws one of them:
+    /// omega, euler, pointing, axis, energy, momentum, wheels, torque, drift, polhodes or
+    /// herpolhode. May be repeated.
     #[arg(long, value_name = "[NAME=]FILE", value_parser = plot)]
     plot: Vec<Plot>,
 }

@@ -8,8 +8,8 @@ use crate::stdout::print_script;
 
 /// Print the JSON schema of scenario files, or of a command's JSON output.
 ///
-/// With the schema of scenario files, an editor completes keys and marks invalid ones. A command's schema states the meaning and the unit
-/// of every number.
+/// An editor that uses the schema of scenario files completes keys and marks invalid ones. A
+/// command's schema states the meaning and the unit of every number.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

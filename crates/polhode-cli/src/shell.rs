@@ -8,7 +8,7 @@ use crate::stdout::print_script;
 
 /// Print a completion script for a shell.
 ///
-/// For bash: `polhode completions bash > ~/.local/share/bash-completion/completions/polhode`
+/// Example for bash: `polhode completions bash > ~/.local/share/bash-completion/completions/polhode`
 #[derive(Debug, Args)]
 pub(crate) struct Completions {
     /// The shell.
@@ -17,7 +17,7 @@ pub(crate) struct Completions {
 
 /// Print the man page of polhode or of a subcommand.
 ///
-/// To read it: `polhode man spin | man -l -`
+/// Example: `polhode man spin | man -l -`
 #[derive(Debug, Args)]
 pub(crate) struct Man {
     /// The subcommand.

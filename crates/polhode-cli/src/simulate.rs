@@ -23,9 +23,10 @@ use crate::table::{self, Format};
 
 /// Compute the motion of a scenario and write it to a folder.
 ///
-/// The folder contains summary.json (mass properties, kind of motion, error estimates, final state), trajectory.parquet (one row per
-/// sample) and report.html (an animated page that needs no network). The folder is written completely or not at all. A motion that cannot
-/// be computed to its end is written up to the last valid time and marked incomplete; the exit status is then 3.
+/// The folder contains summary.json (mass properties, kind of motion, error estimates, final
+/// state), trajectory.parquet (one row per sample) and report.html (an animated page that needs no
+/// network). The folder is written completely or not at all. A motion that cannot be computed to
+/// its end is written up to the last valid time and marked incomplete; the exit status is then 3.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -40,7 +41,8 @@ pub(crate) struct Simulate {
     /// Output folder [default: the scenario's name, in the working directory].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Replace the results and plots of another scenario. Earlier results of this scenario are always replaced.
+    /// Replace the results and plots of another scenario. Earlier results of this scenario are
+    /// always replaced.
     #[arg(long)]
     force: bool,
     /// Table format; may be repeated [default: that of [run], else parquet].

@@ -19,12 +19,13 @@ use when::TimeFlags;
 
 /// Free motion in closed form: kind, periods, and the state at any time.
 ///
-/// The body is that of a scenario (about its centre of mass, from its [start]; its [run] is not used), or is defined by its moments of
-/// inertia about the body axes x, y, z, or by its inertia tensor. The motion is exact: ω by Jacobi elliptic functions, the attitude by theta
-/// functions. The cost does not depend on the time, even 10⁹ periods from the start.
+/// The body is that of a scenario (about its centre of mass, from its [start]; its [run] is not
+/// used), or is defined by its moments of inertia about the body axes x, y, z, or by its inertia
+/// tensor. The motion is exact: ω by Jacobi elliptic functions, the attitude by theta functions.
+/// The cost does not depend on the time, even 10⁹ periods from the start.
 ///
-/// A number without a unit is SI. A list has one unit for each number, or one for all: "(0, 0, 30) deg/s". No files are written
-/// unless --duration, --curves, --html, -o or --plot is given.
+/// A number without a unit is SI. A list has one unit for each number, or one for all: "(0, 0, 30)
+/// deg/s". No files are written unless --duration, --curves, --html, -o or --plot is given.
 #[derive(Debug, Args)]
 #[command(
     after_help = "\

@@ -22,12 +22,12 @@ use progress::SweepProgress;
 
 /// Run a parameter sweep and summarize the results.
 ///
-/// A plan is a scenario with a [sweep] section, which lists the inputs that vary from member to member. The output folder contains
-/// members/ (tables with one row per member: inputs and outcomes), summary.json and figures. The row of a failed member states the
-/// cause.
+/// A plan is a scenario with a [sweep] section, which lists the inputs that vary from member to
+/// member. The output folder contains members/ (tables with one row per member: inputs and
+/// outcomes), summary.json and figures. The row of a failed member states the cause.
 ///
-/// An interrupted sweep loses only the parts in progress. --resume continues it, and the resulting files are identical, byte by
-/// byte. They do not depend on the number of threads.
+/// An interrupted sweep loses only the parts in progress. --resume continues it, and the resulting
+/// files are identical, byte by byte. They do not depend on the number of threads.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -51,8 +51,8 @@ pub(crate) struct Sweep {
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
-    /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT; ray://local or dask://local for processes on this machine. Needs the
-    /// Python package polhode.
+    /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT; ray://local or dask://local for
+    /// processes on this machine. Needs the Python package polhode.
     #[arg(long, value_name = "URL", value_parser = cluster::url)]
     on: Option<String>,
 }

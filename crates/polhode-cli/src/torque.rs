@@ -18,8 +18,9 @@ use crate::table::Format;
 
 /// Compute the torque, power and forces that a prescribed motion requires.
 ///
-/// The scenario prescribes the motion: a fixed axis; Euler angles, a quaternion or ω as formulas of t; a table; or a shaft on two
-/// bearings. For a shaft, the bearing reactions and the correction masses are printed too. Only ω is integrated.
+/// The scenario prescribes the motion: a fixed axis; Euler angles, a quaternion or ω as formulas of
+/// t; a table; or a shaft on two bearings. For a shaft, the bearing reactions and the correction
+/// masses are printed too. Only ω is integrated.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -31,7 +32,8 @@ Examples:
 pub(crate) struct Torque {
     #[command(flatten)]
     request: Request,
-    /// Write a table with one row per sample of [run], in this format [default: from the extension of -o, else csv].
+    /// Write a table with one row per sample of [run], in this format [default: from the extension
+    /// of -o, else csv].
     #[arg(long, value_enum, value_name = "FORMAT")]
     table: Option<Format>,
     /// Output file of the table [default with --table: SCENARIO-torque in the working directory].

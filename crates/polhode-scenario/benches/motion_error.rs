@@ -1,6 +1,7 @@
-//! What the estimate of a motion's error costs, in times of the motion itself. `cargo bench -p polhode-scenario --bench motion_error`.
+//! Time of the error estimate of a motion, relative to the time of the motion itself.
 //!
-//! Each line: what, the motion's own time, and the estimates' times over it.
+//! `cargo bench -p polhode-scenario --bench motion_error` prints one line per motion: its name, its
+//! time, ms, and the times of the two estimates relative to it.
 
 use std::hint::black_box;
 use std::path::Path;

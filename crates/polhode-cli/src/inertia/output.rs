@@ -11,7 +11,8 @@ use crate::form::Form;
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 pub(super) struct OutputFlags {
-    /// Print JSON: one object for one file, an array for several; a file that fails has an object with its error.
+    /// Print JSON: one object for one file, an array for several; a file that fails has an object
+    /// with its error.
     #[arg(long)]
     json: bool,
     /// Print a CSV table.

@@ -12,11 +12,13 @@ use crate::folder::Folder;
 
 #[derive(Debug, Args)]
 pub(super) struct CurveFlags {
-    /// Write each curve to a CSV file: the paths of ω (polhode) and L in the body over one period; the path of ω on the
-    /// invariable plane (herpolhode) and both cones up to --duration, else over three periods.
+    /// Write each curve to a CSV file: the paths of ω (polhode) and L in the body over one period;
+    /// the path of ω on the invariable plane (herpolhode) and both cones up to --duration, else
+    /// over three periods.
     #[arg(long)]
     curves: bool,
-    /// Largest distance of the polyline from the curve, relative to the curve's largest vector [default: 1e-3].
+    /// Largest distance of the polyline from the curve, relative to the curve's largest vector
+    /// [default: 1e-3].
     #[arg(long, value_name = "E", requires = "curves", value_parser = chord_error)]
     chord_error: Option<f64>,
 }

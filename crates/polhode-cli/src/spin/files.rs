@@ -25,7 +25,8 @@ pub(super) struct FileFlags {
     table: Vec<Format>,
     #[command(flatten)]
     curves: CurveFlags,
-    /// Write a page that shows the motion, up to --duration or the last --at, else for several periods.
+    /// Write a page that shows the motion, up to --duration or the last --at, else for several
+    /// periods.
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, default_missing_value = PAGE)]
     html: Option<PathBuf>,
     /// Do not write report.html to the output folder.

@@ -13,7 +13,8 @@ use crate::failure::Failure;
 /// Option for a file of times at which the state is printed.
 #[derive(Debug, Args)]
 pub(super) struct TimeFlags {
-    /// Like --at, for a file with one time per line; blank lines and # comments are ignored, and - is standard input.
+    /// Like --at, for a file with one time per line; blank lines and # comments are ignored, and -
+    /// is standard input.
     #[arg(long, value_name = "FILE")]
     at_file: Option<PathBuf>,
 }

@@ -16,7 +16,7 @@ fn read(name: &str) -> Scenario {
     scenario::read(&path).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// Returns the motion; checks the energy balance, and that there are no findings.
+/// Returns the motion; checks the energy balance and the absence of findings.
 fn motion(scenario: &Scenario) -> Held<ContactState> {
     let motion = scenario.simulate().unwrap().unwrap();
     let contact = Held::of(motion, CONTACT);

@@ -85,7 +85,7 @@ fn example_11_4_the_pendulum() {
     once = once.sampled(Run { times: vec![0.0, period], method: Method::Auto, tolerance: 1e-14 });
     let end = once.simulate().unwrap().unwrap().samples()[1].state;
     assert!(end.attitude.angle_to(scenario.start().attitude) < 1e-11);
-    // The run stays on the axis, so there is no warning.
+    // The run stays on the axis, so no warning is reported.
     assert_eq!(scenario.findings().iter().map(|f| f.code).collect::<Vec<_>>(), ["body.rod"]);
 }
 

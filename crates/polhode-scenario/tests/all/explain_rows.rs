@@ -124,7 +124,7 @@ fn noise_of_the_attitude_is_zero() {
 
 #[test]
 fn a_steady_turn_ends_without_noise() {
-    // 3 turns about z in closed form: at the end the attitude is the initial one, except for rounding
+    // 3 turns about z in closed form: the final attitude is the initial one, except for rounding.
     let spun =
         spinning(tensor("spun", [0.3, 0.4, 0.5], [0.0; 3], [0.0; 3]), AngularVelocity::new(0.0, 0.0, TAU));
     let shown = text(&spun.sampled(run(3.0, 31)), 6);

@@ -22,7 +22,8 @@ fn near(got: f64, want: f64, scale: f64) {
     assert!((got - want).abs() <= 4e-15 * scale, "{got} is not {want}");
 }
 
-/// ρ = ρ₀ (1 + g · r) over a box of sides a: M = ρ₀ V,  c_i = g_i a_i²/12,  ⟨x_i x_j⟩ = δ_ij a_i²/12.
+/// ρ = ρ₀ (1 + g · r) over a box with edges a: M = ρ₀ V, c_i = g_i a_i²/12,
+/// ⟨x_i x_j⟩ = δ_ij a_i²/12.
 #[test]
 fn a_density_may_grow_along_a_slanted_direction() {
     let (sides, slope) = ([0.3, 0.2, 0.5], [0.7, -1.1, 0.4]);

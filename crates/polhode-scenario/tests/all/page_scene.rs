@@ -36,7 +36,8 @@ fn the_equivalent_box_and_ellipsoid_have_the_body_s_tensor() {
         let scenario = crate::common::spinning(scenario, omega).sampled(crate::common::run(0.1, 3));
         let (data, _) = page_of(&scenario);
         let numbers = |value: &Value| -> Vec<f64> { value.as_array().unwrap().iter().map(number).collect() };
-        // I = R diag(m (b² + c²) / n, …) Rᵀ, n = 12 of the edges of a box, 5 of the semi-axes of an ellipsoid
+        // I = R diag(m (b² + c²) / n, …) Rᵀ, with n = 12 for the edges of a box, and n = 5 for the
+        // semi-axes of an ellipsoid.
         for (shape, key, n) in [("box", "size", 12.0), ("ellipsoid", "half", 5.0)] {
             let [size, turn] = [key, "quaternion"].map(|key| numbers(&data["body"][shape][key]));
             let rotation = Attitude::from_quaternion(turn.try_into().unwrap()).unwrap().matrix();

@@ -288,6 +288,6 @@ fn an_amplitude_is_that_of_the_run() {
     let pendulum = body(&text("", "20 deg")).pendulum().unwrap().unwrap();
     let rate = 2.0 * pendulum.small_frequency() * 10_f64.to_radians().sin();
     assert_eq!(found(&format!("spin={{body=[{rate},0,0]}}"), "20 deg"), None);
-    // Without a run there is no contradiction.
+    // Without a run the two cannot contradict each other.
     assert_eq!(body(&text(tilted, "20 deg")).findings(), []);
 }

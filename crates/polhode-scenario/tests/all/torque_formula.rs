@@ -205,7 +205,7 @@ fn what_is_no_number_ends_at_the_last_good_time() {
             panic!("{refused:?}")
         };
         assert!(x == 0.1 && y.is_nan() && z == 0.0);
-        // At this corner there is no power series.
+        // The function has no power series at this corner.
         let torque = body_axes(["0", "0", "0.1[N m]*sqrt(t/1[s] - 0.3)"]);
         let end = Trajectory::compute(&rotor, &[torque], start(), &[1.0], Method::Taylor, 1e-12);
         assert!(

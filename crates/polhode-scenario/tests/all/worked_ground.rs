@@ -275,7 +275,7 @@ fn the_rattleback_rattles_as_it_is_said_to() {
     near((most(7.5) / most(4.5)).ln() / 3.0, growth, 0.05);
     let answer = explain(&setting.scenario("Rattles", 0.1, 3)).unwrap().answer;
     assert!(answer[1].contains("spun with the clock, against its sense"), "{answer:?}");
-    // There is no preferred direction if the principal axes are those of the underside.
+    // Both directions are equal if the principal axes are those of the underside.
     let even = Setting { products: [0.0; 3], ..setting };
     assert!(!step(&even.scenario("Even", 0.1, 3), 5).contains("rattle"));
 }

@@ -22,7 +22,7 @@ pub(crate) struct Known<'a> {
     /// Rotor at the first sample if the body changes; `None` without a scenario.
     pub rotor: Option<Cow<'a, Rotor>>,
     pub principal: PrincipalFrame<Body>,
-    /// State at the first sample, or the start of the scenario if there are no samples.
+    /// State at the first sample, or the start of the scenario for a trajectory without samples.
     pub start: State,
     /// T at the start about the point that the body turns about, J.
     pub kinetic_energy: f64,

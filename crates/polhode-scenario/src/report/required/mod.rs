@@ -44,7 +44,7 @@ pub struct RequiredReport {
     source: SourceInfo,
     scenario: Scenario,
     start: Required,
-    /// Results at the times of the run, or at the start only if there is no run.
+    /// Results at the times of the run, or without a run at the start only.
     samples: Vec<Required>,
     /// Results at the requested times.
     at: Vec<Required>,
@@ -100,7 +100,7 @@ impl RequiredReport {
         Self { is_verbose, ..self }
     }
 
-    /// Returns the results at the times of the run, or at the start only if there is no run.
+    /// Returns the results at the times of the run, or without a run at the start only.
     pub fn samples(&self) -> &[Required] {
         &self.samples
     }

@@ -51,8 +51,8 @@ pub(crate) struct Prevented {
     pub of_the_rest: Option<Found>,
 }
 
-/// Finds the oscillations under all torques. If there is no equilibrium, leaves out one or two
-/// torques.
+/// Finds the oscillations under all torques. Leaves out one or two torques if no equilibrium is
+/// found.
 pub(crate) fn search(rotor: &Rotor, torques: &[&Acting], start: State) -> Result<Found, Box<Prevented>> {
     let without = |left_out: &[usize]| {
         let kept = torques.iter().enumerate().filter(|(k, _)| !left_out.contains(k));

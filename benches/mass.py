@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures mass properties beside trimesh, parry and OCCT in one run and writes book/mass-properties.md.
+"""Measures mass properties compared with trimesh, parry and OCCT in one run and writes book/mass-properties.md.
 
     pip install numpy trimesh scipy cadquery-ocp
     python3 benches/mass.py
@@ -27,7 +27,7 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def icosphere(level):
-    """Unit vertices and faces, counter-clockwise from outside."""
+    """Returns unit vertices and faces, counter-clockwise seen from outside."""
     t = (1 + math.sqrt(5)) / 2
     vertices = [(-1, t, 0), (1, t, 0), (-1, -t, 0), (1, -t, 0), (0, -1, t), (0, 1, t), (0, -1, -t), (0, 1, -t),
                 (t, 0, -1), (t, 0, 1), (-t, 0, -1), (-t, 0, 1)]
@@ -49,7 +49,7 @@ def icosphere(level):
 
 
 def potato(level, grid):
-    """A deformed sphere with vertices on integers of size about `grid`, no symmetry left."""
+    """Returns a deformed sphere without symmetry; its vertices are integers of size about `grid`."""
     v, faces = icosphere(level)
     r = 1 + 0.15 * np.sin(3 * v[:, 0] + 1) * np.cos(2 * v[:, 1]) + 0.1 * v[:, 2] * v[:, 0]
     v = v * r[:, None] * np.array([0.31, 0.47, 0.39])
@@ -57,7 +57,7 @@ def potato(level, grid):
 
 
 def exact(vertices, faces):
-    """Volume, centroid and central inertia at density 1, as fractions."""
+    """Returns volume, centroid and central inertia at density 1, as fractions."""
     p = [[int(c) for c in v] for v in vertices]
     six, first, second = 0, [0] * 3, [[0] * 3 for _ in range(3)]
     for f in faces:
@@ -77,7 +77,7 @@ def exact(vertices, faces):
 
 
 def error(inertia, truth):
-    """The largest error of an element, in units of half the trace."""
+    """Returns the largest error of an element, in units of half the trace."""
     half = sum(truth[k][k] for k in range(3)) / 2
     try:
         worst = max(abs(Fraction(float(inertia[i][j])) - truth[i][j]) for i in range(3) for j in range(3))

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""A sweep in one process, on Dask and on Ray, with workers killed and without; writes book/clusters-dask.md and book/clusters-ray.md.
+"""Measures a sweep in one process, on Dask and on Ray, with and without killed workers.
+
+Writes book/clusters-dask.md and book/clusters-ray.md.
 
     pip install distributed ray pyarrow ./crates/polhode-py
     python3 benches/clusters/measure.py           # measures, and writes measured.json and the pages
@@ -40,14 +42,14 @@ PLAN = HERE.parents[1] / "examples" / "sweeps" / "uncertain-satellite.toml"
 MEASURED = HERE / "measured.json"
 MEMBERS = 1_000_000
 ROUNDS = 2
-#: Threads of the one process, and workers of a cluster.
+#: Number of threads of the single process, and of workers of a cluster.
 WORKERS = 2
-#: Seconds between two looks at the processes of a run.
+#: Interval between two inspections of the processes of a run, s.
 LOOK = 0.25
-#: Workers killed in a run: on average if it took as long as the sweep in one process, and at least.
+#: Number of workers killed in a run: the mean for the duration of the sweep in one process, and the minimum.
 KILLS, KILLS_AT_LEAST = 8, 4
 SEED = 2026
-#: What Ray keeps in memory for all its processes, at most.
+#: Upper limit of the shared memory of all Ray processes.
 BOUNDED = {"RAY_DEFAULT_OBJECT_STORE_MAX_MEMORY_BYTES": str(500 * 10**6)}
 ALONE, ENGINES, KILLED = "alone", ("dask", "ray"), ", killed"
 #: The runs of a round, in their order.
@@ -84,7 +86,7 @@ def main() -> int:
 
 
 def about() -> dict[str, Any]:
-    """The machine, and versions."""
+    """Returns the machine and the versions."""
     return {
         "machine": f"{processor()}, {len(os.sched_getaffinity(0))} processors",
         "python": platform.python_version(),
@@ -95,7 +97,7 @@ def about() -> dict[str, Any]:
 
 
 def more(found: dict[str, Any]) -> None:
-    """Adds a round, of the same on the same machine, to what was found, or ends the one that was begun; each run is kept at once."""
+    """Adds a round on the same machine to the results, or finishes an incomplete round; each run is saved immediately."""
     now = about()
     if wrong := [key for key in now if found[key] != now[key]]:
         raise SystemExit(f"what was measured has other {', '.join(wrong)}: measure all of it anew")
@@ -106,13 +108,13 @@ def more(found: dict[str, Any]) -> None:
 
 
 def runs(members: int, names: tuple[str, ...], rounds: list[dict[str, Any]], seed: int) -> Iterator[None]:
-    """The runs that the last round lacks, one by one; all folders have the same bytes."""
+    """Makes the missing runs of the last round, one by one; all folders must have the same bytes."""
     last = rounds[-1]
     for name in names:
         if name in last:
             continue
         engine, is_killed = name.removesuffix(KILLED), name.endswith(KILLED)
-        # About as often, whatever else the machine does.
+        # The number of kills is then nearly independent of the load of the machine.
         mean = last[ALONE]["time"] / KILLS if is_killed else None
         last[name] = run(engine, members, mean, random.Random(f"{seed} {engine}"))
         if differing := {name: one["folder"] for of in rounds for name, one in of.items() if one["folder"] != last[name]["folder"]}:
@@ -121,7 +123,7 @@ def runs(members: int, names: tuple[str, ...], rounds: list[dict[str, Any]], see
 
 
 def run(engine: str, members: int, mean: float | None, drawn: random.Random) -> dict[str, Any]:
-    """A run in a process of its own. Workers are killed after waits of the mean, s, exponentially distributed; without a mean they are not."""
+    """Makes a run in a separate process. Workers are killed at exponentially distributed intervals with this mean, s; without a mean none is killed."""
     from processes import Processes, busy
 
     folder = Path(tempfile.mkdtemp(prefix="polhode-"))
@@ -138,7 +140,7 @@ def run(engine: str, members: int, mean: float | None, drawn: random.Random) -> 
             if mean is None:
                 processes.look()
                 continue
-            # The time runs from the first worker on.
+            # The time is counted from the first worker.
             workers, now = processes.workers(engine), time.monotonic()
             if workers and until is None:
                 until = now + drawn.expovariate(1.0 / mean)
@@ -162,7 +164,7 @@ def run(engine: str, members: int, mean: float | None, drawn: random.Random) -> 
 
 
 def one(on: str, members: int, folder: Path) -> None:
-    """The sweep; what was measured goes to standard output. Times are from the call on: of the first part and the last that were done, and of all."""
+    """Runs the sweep and prints the measurements. Times from the call: first finished part, last finished part, and end."""
     from polhode import batch, sweep
 
     at: list[float] = []
@@ -182,7 +184,7 @@ def one(on: str, members: int, folder: Path) -> None:
 
 
 def digest(folder: Path) -> str:
-    """One hash of all files, names and contents; the lock is nobody's result."""
+    """Returns a hash of the names and contents of all files except the lock."""
     whole = hashlib.sha256()
     for path in sorted(path for path in folder.rglob("*") if path.is_file() and path.name != "sweep.lock"):
         whole.update(f"{path.relative_to(folder)}\0{path.stat().st_size}\0".encode())

@@ -1,4 +1,4 @@
-"""The pages of the book that say what was measured: their tables stand between markers."""
+"""Pages of the book with the measurements; their tables are between markers."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 BOOK = Path(__file__).resolve().parents[2] / "book"
 BEGIN, END = "<!-- begin: measured -->\n", "<!-- end: measured -->\n"
 
-#: Engines and packages, as they are written, and the overhead that is aimed at.
+#: Names of engines and packages as printed, and the target overhead.
 NAMES = {"dask": "Dask", "ray": "Ray"}
 PACKAGES = {"polhode": "polhode", "distributed": "distributed", "ray": "Ray", "pyarrow": "PyArrow"}
 BOUND = 0.15
@@ -21,14 +21,14 @@ def page(engine: str) -> Path:
 
 
 def overhead(rounds: list[dict[str, Any]], name: str, key: str) -> float:
-    """By how much a run took more than the one in one process of the same round, relatively: the median of rounds."""
+    """Returns the median over the rounds of the relative overhead compared with the run in one process."""
     return float(median(of[name][key] / of["alone"][key] - 1.0 for of in rounds))
 
 
 def part(engine: str, measured: dict[str, Any]) -> str:
-    """What stands between the markers."""
+    """Returns the text between the markers."""
     killed = f"{engine}, killed"
-    # Of a round that was not ended, what there is.
+    # An incomplete round contributes its finished runs.
     rounds = [of for of in measured["rounds"] if "alone" in of and {engine, killed} & set(of)]
     undisturbed, disturbed = ([of for of in rounds if name in of] for name in (engine, killed))
     if not undisturbed or not disturbed:
@@ -81,7 +81,7 @@ def write(measured: dict[str, Any]) -> None:
 
 
 def check(measured: dict[str, Any]) -> int:
-    """Whether the pages are what would be written."""
+    """Compares the pages with the generated ones; returns 1 if they differ, else 0."""
     wrong = []
     for engine in NAMES:
         text = page(engine).read_text()

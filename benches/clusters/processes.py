@@ -1,4 +1,4 @@
-"""The processes below this one: what they have taken of the processors, and which of them a sweep's workers are. Linux alone."""
+"""Descendant processes of this one: their CPU time, and which of them are workers of a sweep. Linux only."""
 
 from __future__ import annotations
 
@@ -8,34 +8,34 @@ import signal
 import time
 from pathlib import Path
 
-#: Ticks of the system's clock in a second.
+#: Clock ticks per second.
 TICKS = os.sysconf("SC_CLK_TCK")
 
 #: PR_SET_CHILD_SUBREAPER of prctl(2).
 CHILD_SUBREAPER = 36
 
-#: What the command lines of workers begin with or have in them: Dask's are of Python's multiprocessing, Ray's are called by what they do.
+#: Texts in the command lines of workers. Dask's workers are processes of Python's multiprocessing; Ray's are named after their task.
 WORKERS = {"dask": b"spawn_main", "ray": b"ray::compute"}
 
-#: What a process has loaded that has been given a part.
+#: Library loaded by a process that has received a part.
 LOADED = "polhode/_native"
 
 
 class Processes:
-    """All processes below this one, also those whose parents have ended.
+    """All descendants of this process, including those whose parents have ended.
 
     Their processors' time is added up from looks: what a process takes between the last look and its end is not counted, which is less than
     the time between two looks.
     """
 
     def __init__(self) -> None:
-        # Orphans become children of this process, and remain below it.
+        # Orphans become children of this process, and remain its descendants.
         if ctypes.CDLL(None, use_errno=True).prctl(CHILD_SUBREAPER, 1, 0, 0, 0):
             raise OSError(ctypes.get_errno(), "prctl")
         self._taken: dict[tuple[int, str], float] = {}
 
     def look(self) -> list[int]:
-        """The processes that there are."""
+        """Returns the existing processes."""
         stat = {}
         for entry in os.listdir("/proc"):
             if entry.isdigit():
@@ -55,7 +55,7 @@ class Processes:
         return sorted(below)
 
     def workers(self, of: str) -> list[int]:
-        """Those that compute parts, of an engine: not those that are about to start, of which Dask's nannies may lose count."""
+        """Returns the processes of an engine that compute parts. Starting processes are excluded, because Dask's nannies may lose track of them."""
         found = []
         for pid in self.look():
             try:
@@ -67,11 +67,11 @@ class Processes:
 
     @property
     def taken(self) -> float:
-        """Seconds of the processors, of all processes that were ever seen."""
+        """Returns the CPU time of all processes seen so far, s."""
         return sum(self._taken.values())
 
     def end(self) -> None:
-        """Kills what is left, and waits for it."""
+        """Kills the remaining processes, and waits until they have ended."""
         for _ in range(100):
             left = self.look()
             for pid in left:
@@ -89,8 +89,8 @@ class Processes:
 
 
 def busy() -> float:
-    """Seconds that the processors of this machine have not been idle, all together, since it started."""
+    """Returns the total busy time of all processors since the start of the machine, s."""
     fields = [int(field) for field in Path("/proc/stat").read_text().split("\n", 1)[0].split()[1:]]
     idle, waiting = fields[3:5]
-    # Guests are counted under users too.
+    # Guest time is already included in user time.
     return (sum(fields[:8]) - idle - waiting) / TICKS

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures what calls of the Python package cost beside the same calls in Rust, in one run, and prints both and what is asked of them.
+"""Measures the time of calls of the Python package and of the same calls in Rust, in one run, and prints both with their required limits.
 
     pip install numpy ./crates/polhode-py
     python3 benches/python/calls.py              # builds crates/polhode/benches/calls.rs
@@ -29,7 +29,7 @@ SECONDS = 0.3
 
 
 def least(call: Callable[[], object], repeated: int = 1) -> float:
-    """The least time of a call, s; of many in a row, where one is too short for a clock."""
+    """Returns the minimum time of a call, s; calls too short for the clock are repeated."""
     found, begun = float("inf"), time.perf_counter()
     while time.perf_counter() - begun < SECONDS:
         once = time.perf_counter()
@@ -40,7 +40,7 @@ def least(call: Callable[[], object], repeated: int = 1) -> float:
 
 
 def together(calls: list[Callable[[], object]]) -> float:
-    """The least time from the start of all until the last has ended, a thread for each."""
+    """Returns the minimum time from the start until the last call has ended, with one thread per call, s."""
     begin, end = threading.Barrier(len(calls) + 1), threading.Barrier(len(calls) + 1)
     times: list[tuple[float, float]] = [(0.0, 0.0)] * len(calls)
     goes_on = True
@@ -71,7 +71,7 @@ def together(calls: list[Callable[[], object]]) -> float:
 
 
 def python() -> dict[str, float]:
-    """ns, by the names of `calls.rs`; of many states for each."""
+    """Returns times by the names in `calls.rs`, ns; per state for calls with many states."""
     given = {"moments": [1.0, 2.0, 3.0], "omega": [0.3, 0.5, 0.9]}
     motion = polhode.FreeMotion(**given)
     found = {"construction": least(lambda: polhode.FreeMotion(**given), 100), "one state": least(lambda: motion.at(3.7), 1000)}
@@ -113,7 +113,7 @@ def main() -> None:
             gain = 2 * ours[alone] / value
             asked = f"two threads {gain:.2f} times as fast as one (Rust {2 * theirs[alone] / other:.2f}); >= 1.8: {gain >= 1.8}"
         else:
-            # A thousand states take no longer than some calls.
+            # 2000 ns per call are allowed, spread over its states.
             call = 2000 / int(name.split()[0])
             asked = f"<= 1.3 times Rust and 2000 ns a call: {value <= 1.3 * other + call}"
         print(f"{name:48}{value:10.1f}{other:10.1f}{value / other:8.2f}  {asked}")

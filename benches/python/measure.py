@@ -33,9 +33,9 @@ sys.path[:0] = [str(HERE), str(HERE.parent)]
 from machine import processor, version  # noqa: E402
 
 ROUNDS = 2
-#: Seconds for which a problem is solved again and again, and how often at most.
+#: Duration of the repetitions of a problem, s, and their maximum number.
 ENOUGH, OFTEN = 1.0, 2000
-#: A solution that takes so long, s, is not repeated.
+#: A solution that takes longer than this, s, is not repeated.
 LONG = 5.0
 MEASURED = HERE / "measured.json"
 PACKAGES = ("polhode", "heyoka", "mujoco", "trimesh", "scipy", "numpy")
@@ -63,7 +63,7 @@ def main() -> int:
 
 
 def measure() -> dict[str, Any]:
-    """What is said of each problem's programs, of the machine, and of the versions."""
+    """Returns the measurements of each problem's programs, the machine, and the versions."""
     import page
     import problem
 
@@ -95,7 +95,7 @@ def child(*arguments: str) -> str:
 
 
 def one(folder: str, peer: str, place: Path) -> None:
-    """Solves a problem by a program; the answer goes to a file, what was measured to standard output."""
+    """Solves a problem by a program; writes the answer to a file and the measurements to standard output."""
     import problem
 
     (of,) = (of for of in problem.PROBLEMS if of.folder == folder)
@@ -123,17 +123,17 @@ def one(folder: str, peer: str, place: Path) -> None:
 
 
 def idle() -> None:
-    """The memory of a process that has NumPy alone."""
+    """Returns the memory of a process that has loaded only NumPy, bytes."""
     import numpy  # noqa: F401
 
     print(json.dumps({"memory": peak()}))
 
 
 def peak() -> int:
-    """The most memory that this process has had, bytes."""
+    """Returns the peak memory of this process, bytes."""
     status = Path("/proc/self/status")
     if status.exists():
-        # What the system counts for a process begins with what its parent had.
+        # `ru_maxrss` starts at the value of the parent process, so VmHWM is read instead.
         return 1024 * next(int(line.split()[1]) for line in status.read_text().splitlines() if line.startswith("VmHWM:"))
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * (1 if sys.platform == "darwin" else 1024)
 

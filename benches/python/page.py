@@ -1,4 +1,4 @@
-"""The page of the book that says what was measured: its tables stand between markers, and what they link to and count is looked up here."""
+"""Page of the book with the measurements: its tables are between markers; links and line counts are computed here."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ HERE = Path(__file__).resolve().parent
 PAGE = HERE.parents[1] / "book" / "peers.md"
 BEGIN, END = "<!-- begin: {} -->\n", "<!-- end: {} -->\n"
 
-#: As they are written, in the order of rows.
+#: Printed names, in the order of the rows.
 NAMES = {"polhode": "polhode", "heyoka": "heyoka", "scipy": "SciPy", "mujoco": "MuJoCo", "trimesh": "trimesh"}
 
-#: Columns in which less is better.
+#: Columns in which lower values are better.
 COLUMNS = {"lines": "lines of code", "time": "time", "memory": "memory", "error": "error"}
 
-#: Not tokens of code.
+#: Tokens that do not count as code.
 SPACE = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER, tokenize.ENCODING}
 
 
 def peers(folder: str) -> list[str]:
-    """Who has a program for a problem."""
+    """Returns the packages that have a program for a problem."""
     return [peer for peer in NAMES if program(folder, peer).exists()]
 
 
@@ -33,7 +33,7 @@ def program(folder: str, peer: str) -> Path:
 
 
 def lines_of_code(text: str) -> int:
-    """Lines that have code on them: not those of comments and docstrings, nor blank ones, those within text apart."""
+    """Returns the number of lines with code. Comments, docstrings and blank lines do not count, except blank lines inside strings."""
     tree = ast.parse(text)
     documented = [node for node in ast.walk(tree) if isinstance(node, (ast.Module, ast.FunctionDef, ast.ClassDef)) and ast.get_docstring(node)]
     documentation = {line for node in documented for line in range(node.body[0].lineno, (node.body[0].end_lineno or 0) + 1)}
@@ -43,7 +43,7 @@ def lines_of_code(text: str) -> int:
 
 
 def table(folder: str, measured: dict[str, dict[str, float]]) -> str:
-    """The rows of a problem; the least of each column is bold."""
+    """Returns the rows of a problem; the minimum of each column is bold."""
     if list(measured) and set(measured) != set(peers(folder)):
         raise SystemExit(f"{folder} was measured of {sorted(measured)}, and has programs of {sorted(peers(folder))}: measure once more")
     rows = {peer: {"lines": lines_of_code(program(folder, peer).read_text()), **measured[peer]} for peer in peers(folder)}
@@ -58,14 +58,14 @@ def table(folder: str, measured: dict[str, dict[str, float]]) -> str:
 
 
 def behind(folder: str, measured: dict[str, dict[str, float]]) -> list[str]:
-    """The columns in which a peer has less than polhode has."""
+    """Returns the columns in which another package has a lower value than polhode."""
     lines = {peer: lines_of_code(program(folder, peer).read_text()) for peer in measured}
     rows = {peer: {**row, "lines": lines[peer]} for peer, row in measured.items()}
     return [column for column in COLUMNS if any(row[column] < rows["polhode"][column] for row in rows.values())]
 
 
 def duration(seconds: float) -> str:
-    """Three digits."""
+    """Formats a number with three digits."""
     for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
         if seconds >= size or unit == "µs":
             number = seconds / size
@@ -74,7 +74,7 @@ def duration(seconds: float) -> str:
 
 
 def parts(measured: dict[str, Any]) -> dict[str, str]:
-    """What stands between the markers, by their names."""
+    """Returns the texts between the markers, by name."""
     import problem
 
     versions = measured["versions"]
@@ -90,7 +90,7 @@ def parts(measured: dict[str, Any]) -> dict[str, str]:
 
 
 def between(text: str, name: str) -> tuple[int, int]:
-    """Where the part of a name is in the page."""
+    """Returns the position in the page of the part with a name."""
     begin, end = BEGIN.format(name), END.format(name)
     if text.count(begin) != 1 or text.count(end) != 1:
         raise SystemExit(f"{PAGE.name} has no part {name!r} between its markers")
@@ -106,7 +106,7 @@ def write(measured: dict[str, Any]) -> None:
 
 
 def check(measured: dict[str, Any]) -> int:
-    """Whether the page is what would be written, and says why of each column in which polhode is behind."""
+    """Compares the page with the generated one. Each column in which polhode is behind needs a paragraph with the reason."""
     import problem
 
     text, wrong = PAGE.read_text(), []

@@ -1,4 +1,4 @@
-"""The problems that are solved side by side: what is given, and the truth that answers are held against."""
+"""Problems for the comparison of packages: inputs, and true results."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ import reference  # noqa: E402
 
 
 class Problem(NamedTuple):
-    """A folder of programs, what they are given, and how far an answer is from the truth."""
+    """A problem: folder of its programs, input, and error of an answer."""
 
     folder: str
     title: str
-    #: For the page: what is given and asked.
+    #: Statement of the problem on the page.
     text: str
-    #: What an error is of, with its unit.
+    #: Quantity of the error, with its unit.
     error_of: str
-    #: What cannot do it, and why.
+    #: Packages that cannot solve it, with the reason.
     without: str
     given: Any
     error: Any
@@ -81,7 +81,7 @@ DENSITY = 2700.0
 
 @functools.cache
 def solid() -> tuple[np.ndarray, np.ndarray]:
-    """A deformed sphere of 100,000 triangles in 201 bands of 250 meridians, without symmetry, its vertices on multiples of 2⁻²⁰."""
+    """Returns a deformed sphere of 100,000 triangles in 201 bands of 250 meridians, without symmetry; vertices are multiples of 2⁻²⁰."""
     bands, meridians = 201, 250
     polar, azimuth = np.pi * np.arange(1, bands) / bands, 2.0 * np.pi * np.arange(meridians) / meridians
     theta, phi = [a.ravel() for a in np.meshgrid(polar, azimuth, indexing="ij")]
@@ -107,7 +107,7 @@ def mesh() -> dict[str, Any]:
 
 
 def error_of_mesh(answer: Any) -> float:
-    """Of the tensor about the centre of mass: its largest element, in units of half the trace."""
+    """Returns the larger of two errors: relative error of the mass, and largest error of the central tensor over half its trace."""
     mass, _, inertia = answer
     true_mass, true_inertia = reference.mass_properties(*solid(), DENSITY)
     half = sum(true_inertia[k][k] for k in range(3)) / 2

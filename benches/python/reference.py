@@ -1,4 +1,7 @@
-"""What is true: motions by Taylor series in extended precision, masses of meshes by exact rational arithmetic. Nothing here is polhode's."""
+"""Reference results, independent of polhode.
+
+Motions by Taylor series in extended precision, masses of meshes by exact rational arithmetic.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from fractions import Fraction
 
 import numpy as np
 
-#: Of the last term that is kept, relative; the order that makes steps cheapest is near half of its digits in nats.
+#: Relative size of the last term of the series. The cheapest order is near −ln(LAST)/2.
 LAST, ORDER = 1e-21, 30
 
 REAL = np.longdouble
@@ -17,7 +20,9 @@ REAL = np.longdouble
 def motion(
     moments: Sequence[float], omega: np.ndarray, attitude: Sequence[float], weight: float, times: Sequence[float], shorter: float = 1.0
 ) -> np.ndarray:
-    """Attitudes (times, bodies, 4) of bodies with these ω(0) (bodies, 3) along body axes: free, or under ``weight`` = M g l, the centre of mass on e3.
+    """Returns attitudes (times, bodies, 4) of bodies with these ω(0) (bodies, 3), rad/s, along body axes.
+
+    The bodies are free, or under ``weight`` = M g l, N·m, with the centre of mass on e3.
 
     Steps are ``shorter`` times those that the last term asks for: another value says how well this is known.
     """
@@ -40,7 +45,7 @@ def motion(
             def product(one: np.ndarray, two: np.ndarray) -> np.ndarray:
                 return (one[: n + 1] * two[n::-1]).sum(axis=0)
 
-            # e3 of space along body axes, as far as it has a torque.
+            # Components along body axes of e3 of space that produce a torque.
             up[n, 0], up[n, 1] = 2 * (product(i, k) - product(w, j)), 2 * (product(j, k) + product(w, i))
             rates = [
                 ((b - c) * product(y, z) + REAL(weight) * up[n, 1]) / a,
@@ -70,7 +75,7 @@ def _sum(series: np.ndarray, step: np.longdouble) -> np.ndarray:
 
 
 def largest_angle(attitude: np.ndarray, truth: np.ndarray) -> float:
-    """The largest angle between attitudes (n, 4) that need not have length 1."""
+    """Returns the largest angle between attitudes (n, 4), whose norm need not be 1, rad."""
     one, two = [q / np.sqrt((q * q).sum(axis=-1, keepdims=True)) for q in (attitude.astype(REAL), truth)]
     near = np.where(((one - two) ** 2).sum(axis=-1) < ((one + two) ** 2).sum(axis=-1), 1, -1)
     apart = np.sqrt(((one - near[..., None] * two) ** 2).sum(axis=-1))
@@ -78,7 +83,7 @@ def largest_angle(attitude: np.ndarray, truth: np.ndarray) -> float:
 
 
 def mass_properties(vertices: np.ndarray, triangles: np.ndarray, density: float) -> tuple[Fraction, list[list[Fraction]]]:
-    """Mass and inertia tensor about the centre of mass of a mesh whose vertices are multiples of 2⁻²⁰: exact."""
+    """Returns the exact mass and inertia tensor about the centre of mass of a mesh with vertices at multiples of 2⁻²⁰."""
     scale = 2**20
     points = [[int(round(c * scale)) for c in vertex] for vertex in vertices.tolist()]
     assert all(p / scale == c for point, vertex in zip(points, vertices.tolist()) for p, c in zip(point, vertex))

@@ -133,7 +133,8 @@ fn memory_is_a_few_hundred_bytes_a_row() {
     bytes_a_row(12_000, &[&["--draws", "10"]]);
 }
 
-/// `POLHODE_BUDGET_ROWS=1000000 cargo test --release -p polhode-cli --test all budget_long -- --ignored --nocapture`
+/// `POLHODE_BUDGET_ROWS=1000000 cargo test --release -p polhode-cli --test all budget_long --
+/// --ignored --nocapture` runs it with a million rows.
 #[test]
 #[ignore = "measures 10⁵ to 10⁶ rows for minutes; the gate measures 12,000"]
 fn memory_of_very_long_lists_is_a_few_hundred_bytes_a_row() {

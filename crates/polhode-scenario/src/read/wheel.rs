@@ -152,8 +152,8 @@ fn fitted<'a>(
         let refuse =
             |error| table.value.motion(error).with_hint("the inertia of [body] includes the locked wheels");
         wheels.push(wheel(table).map_err(refuse)?);
-        // The inertia of a held wheel is part of the body's. Treating the wheel as free checks that it
-        // does not exceed that of the body.
+        // The inertia of a held wheel is part of the body's. Treating the wheel as free checks
+        // that its inertia does not exceed that of the body.
         if let (Given::Speed(inertia, _), Motor::HeldSpeed) = (table.given, table.motor) {
             let free = Motor::Torque { inertia, torque: 0.0, schedule: None };
             let part = Wheel::new(table.axis, 0.0, free).map_err(refuse)?;

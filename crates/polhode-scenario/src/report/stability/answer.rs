@@ -1,4 +1,4 @@
-//! The answer to "which spins and rests are stable": one to three lines.
+//! Answer to the question which spins and equilibria are stable: one to three lines.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -33,7 +33,7 @@ pub(crate) fn lines(report: &StabilityReport) -> Vec<String> {
     lines.iter().map(|line| format!("{}.", capitalised(line))).collect()
 }
 
-/// Stability of a spin, with friction inside if the scenario has any.
+/// Stability of a spin, including internal friction if the scenario has any.
 enum SpinStability {
     Stable,
     /// Growth rate, 1/s.
@@ -66,7 +66,8 @@ fn spins(report: &StabilityReport, judged: &Judged) -> Vec<String> {
     [first].into_iter().chain(ending(report, all)).collect()
 }
 
-/// `spins about axes 1 and 3 are stable; about axis 2 unstable (e-folding time 1.7 s)`
+/// Describes the spins by axis: `spins about axes 1 and 3 are stable; about axis 2 unstable
+/// (e-folding time 1.7 s)`.
 fn by_axis(report: &StabilityReport, all: &[PermanentRotation]) -> String {
     let (mut stable, mut unstable, mut marginal, mut growth_rates) = (vec![], vec![], vec![], vec![]);
     for axis in 0..3 {
@@ -100,7 +101,8 @@ fn by_axis(report: &StabilityReport, all: &[PermanentRotation]) -> String {
     phrases.collect::<Vec<_>>().join("; ")
 }
 
-/// `2 of 6 steady spins are stable; fastest growth: e-folding time 1.7 s`
+/// Describes the spins by number:
+/// `2 of 6 steady spins are stable; fastest growth: e-folding time 1.7 s`.
 fn by_number(report: &StabilityReport, all: &[PermanentRotation]) -> String {
     let each: Vec<SpinStability> = all.iter().map(|one| SpinStability::of(report, one)).collect();
     let stable = each.iter().filter(|one| matches!(one, SpinStability::Stable)).count();
@@ -112,7 +114,7 @@ fn by_number(report: &StabilityReport, all: &[PermanentRotation]) -> String {
     format!("{stable} of {} steady spins {be} stable{fastest}", all.len())
 }
 
-/// Returns the spin in which friction inside ends the others, or would.
+/// Returns the spin in which internal friction ends the other spins, or would end them.
 fn ending(report: &StabilityReport, all: &[PermanentRotation]) -> Option<String> {
     let least = all.first()?;
     let is_left = |one: &PermanentRotation| match report.sink {
@@ -162,7 +164,7 @@ fn equilibrium(found: &Found) -> Vec<String> {
             [top_line(found, top.path, top.angle, &is)].into_iter().chain(other).collect()
         }
         Place::Start => match found.heavy {
-            // The axis of a top in equilibrium is vertical.
+            // In equilibrium the axis of a top is vertical.
             Some(heavy) => {
                 let [highest, _] = heavy.nutation_bounds();
                 let angle = if highest < FRAC_PI_2 { 0.0 } else { PI };

@@ -15,7 +15,7 @@ use super::words::{fact, torques};
 use super::{Judged, StabilityReport};
 use crate::report::VERSION;
 
-/// Keys of the JSON before those of a time.
+/// Keys of the JSON that precede those of a time.
 const KEYS: [&str; 5] = ["polhode", "source", "principal", "momentum", "findings"];
 
 /// Keys of the JSON at each time.
@@ -29,14 +29,14 @@ const KEYS_AT: [&str; 7] = [
     "torques_that_do_not_act",
 ];
 
-/// Facts in sections, in the order of the screen.
+/// Returns the facts in sections, in the order of the text.
 pub(crate) fn of(report: &StabilityReport) -> Vec<Facts> {
     let mut sections = vec![body(report)];
     sections.extend(report.judged.iter().flat_map(|judged| at(report, judged)));
     sections
 }
 
-/// JSON of the same facts: the first time has its keys at the top.
+/// Returns the JSON of the same facts; the keys of the first time are at the top level.
 pub(crate) fn json(report: &StabilityReport) -> Value {
     let mut times = report.judged.iter().map(|judged| object(&KEYS_AT, &at(report, judged)));
     let mut all = object(&KEYS, &[body(report)]);
@@ -96,7 +96,7 @@ fn at(report: &StabilityReport, judged: &Judged) -> Vec<Facts> {
     sections
 }
 
-/// `at t = 0`, `from t = 25 s on`
+/// Describes the time: `at t = 0`, `from t = 25 s on`.
 pub(crate) fn time_of(judged: &Judged) -> String {
     if judged.time > 0.0 {
         return format!("from t = {} s on", number(judged.time, 6));
@@ -104,7 +104,7 @@ pub(crate) fn time_of(judged: &Judged) -> String {
     "at t = 0".to_owned()
 }
 
-/// Momentum of the wheels, and for which times the rest holds.
+/// Returns the momentum of the wheels, and the times for which the other facts hold.
 fn wheels(report: &StabilityReport, judged: &Judged) -> Vec<Fact> {
     let has_motor = report.rotor.wheels().iter().any(polhode::motion::Wheel::is_driven);
     let when = match () {
@@ -125,7 +125,7 @@ fn wheels(report: &StabilityReport, judged: &Judged) -> Vec<Fact> {
     ]
 }
 
-/// Spins that no torque changes, with one angular momentum.
+/// Returns the steady spins without torque, all with the same |L|.
 fn spins(report: &StabilityReport, judged: &Judged) -> Vec<Fact> {
     let all = match &judged.rotations {
         Ok(all) => all,
@@ -148,13 +148,13 @@ fn spins(report: &StabilityReport, judged: &Judged) -> Vec<Fact> {
     vec![fact("permanent_rotations", label, Quantity::Table(rows.collect()))]
 }
 
-/// True for one of two opposite spins.
+/// Returns true for one of two opposite spins.
 fn is_forward(one: &PermanentRotation) -> bool {
     let largest = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
     one.omega.to_array().into_iter().fold(0.0, largest) > 0.0
 }
 
-/// Index of the principal axis that is nearest to a spin.
+/// Returns the index of the principal axis nearest to a spin.
 pub(crate) fn axis_of(report: &StabilityReport, one: &PermanentRotation) -> usize {
     let along = (report.rotor.principal().rotation().inverse() * one.omega).to_array();
     let largest = along.iter().enumerate().max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
@@ -187,7 +187,7 @@ fn spin(report: &StabilityReport, one: &PermanentRotation) -> Vec<Fact> {
     ]
 }
 
-/// Growth rate of a deviation with friction, 1/s; negative for decay.
+/// Returns the growth rate of a deviation under friction, 1/s; negative for decay.
 fn signed_rate(limit: DissipativeLimit) -> Option<f64> {
     match limit {
         DissipativeLimit::Leaves { rate, .. } => Some(rate),
@@ -204,7 +204,7 @@ fn in_words(limit: DissipativeLimit) -> String {
     }
 }
 
-/// Returns true for a spin that is stable, but not with any friction inside.
+/// Returns true for a spin that is stable only without internal friction.
 pub(crate) fn needs_no_friction(one: &PermanentRotation) -> bool {
     matches!(one.stability, Stability::Stable { .. }) && one.is_ended_by_friction()
 }

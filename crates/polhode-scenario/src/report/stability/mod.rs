@@ -62,17 +62,18 @@ struct Acting {
     model: TorqueModel,
 }
 
-/// Steady motions while the wheels have the momentum of one time.
+/// Stability of the steady motions while the wheels have their momentum at one time.
 #[derive(Clone, Debug)]
 struct Judged {
-    /// s
+    /// Time, s.
     time: f64,
     rotations: Result<Vec<PermanentRotation>, MotionError>,
-    /// True if a torque other than friction inside acts.
+    /// True if a torque other than internal friction acts.
     is_driven: bool,
-    /// `None` without torques that act.
+    /// Oscillations about the equilibrium, or the reasons why none was found; `None` if no torque
+    /// acts.
     oscillations: Option<Result<Found, Box<Prevented>>>,
-    /// Names of torques that do not act then.
+    /// Names of the torques that are off at this time.
     idle: Vec<String>,
 }
 
@@ -171,7 +172,7 @@ fn screen(
     plain_spaces(&(text + &finding::to_text(findings)))
 }
 
-/// Returns all friction inside, as one sink.
+/// Combines all internal friction to one sink.
 fn sink<'a>(torques: impl Iterator<Item = &'a TorqueModel>) -> Option<EnergySink> {
     let coefficient = |torque: &TorqueModel| match torque {
         TorqueModel::EnergySink(sink) => sink.coefficient(),

@@ -9,13 +9,14 @@ use serde_json::{Value, json};
 use super::search::{Found, Place, Prevented};
 use super::words::{fact, rates, torques, verdict};
 
-/// Angle, rad, or relative difference of two ω below which it is rounding.
+/// Rounding threshold of an angle, rad, and of the relative difference of two ω.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// Principal axes farther than this from the orbit's are reported as tilted, rad.
+/// Angle between the principal axes and the orbital axes, rad, above which the body is reported as
+/// tilted.
 const SKEW: f64 = 1e-6;
 
-/// Minor semi-axis below which a mode oscillates about one axis.
+/// Threshold of the minor semi-axis of a mode, below which it oscillates about one axis.
 const STRAIGHT: f64 = 1e-6;
 
 /// Keys of the JSON of an equilibrium.
@@ -33,7 +34,7 @@ const KEYS: [&str; 11] = [
     "on_orbit",
 ];
 
-/// Sections about an equilibrium, under a key of the JSON.
+/// Returns the sections about an equilibrium, under a key of the JSON.
 pub(crate) fn facts(key: &str, title: &str, when: &str, found: &Found) -> Vec<Facts> {
     let path = |name: &str| format!("{key}.{name}");
     let (top, other) = match &found.place {
@@ -87,7 +88,7 @@ fn equilibrium(key: &str, found: &Found) -> Vec<Fact> {
     ]
 }
 
-/// Returns the name of the kind in the JSON, and the kind in words.
+/// Returns the name of the kind of equilibrium in the JSON, and the kind in words.
 fn place(place: &Place) -> (&'static str, String) {
     let (name, words) = match place {
         Place::Start => ("start", "the start"),
@@ -119,8 +120,8 @@ pub(crate) fn prevented(prevented: &Prevented) -> Vec<Fact> {
     ]
 }
 
-/// Returns the facts about a steady motion of a heavy top, or its null; `label` is empty for the
-/// motion that the section is about.
+/// Returns the facts about a steady motion of a heavy top, or `null`; `label` is empty for the main
+/// motion of the section.
 fn steady_top(key: &str, label: &str, top: Option<&SteadyTop>) -> Vec<Fact> {
     let Some(top) = top else { return vec![Fact::data(key, Quantity::None)] };
     let path = |name: &str| format!("{key}.{name}");
@@ -159,7 +160,7 @@ pub(crate) fn pairs(oscillations: &SmallOscillations) -> Vec<[f64; 2]> {
     oscillations.modes.iter().map(|mode| [mode.frequency, mode.growth_rate]).collect()
 }
 
-/// `axis 1 down, axis 2 ahead, axis 3 along the normal`
+/// Describes the attitude, such as `axis 1 down, axis 2 ahead, axis 3 along the normal`.
 pub(crate) fn arrangement(equilibrium: &OrbitalEquilibrium) -> String {
     let names = [["up", "down"], ["ahead", "astern"], ["along the normal", "against the normal"]];
     let one = |((k, is_along), [along, against]): ((usize, bool), [&str; 2])| {
@@ -183,8 +184,8 @@ fn in_body_axes(equilibrium: &OrbitalEquilibrium) -> String {
     )
 }
 
-/// Returns a row for each attitude at rest relative to the orbit; people see one of those with the
-/// same principal axes and stability.
+/// Returns a row for each attitude at rest relative to the orbit. The text has one row for
+/// attitudes with the same principal axes and stability.
 fn on_orbit(found: &Found) -> Vec<Facts> {
     let kind = |(equilibrium, oscillations): &(OrbitalEquilibrium, SmallOscillations)| {
         let growth_rate = oscillations.modes.iter().map(|mode| mode.growth_rate).fold(0.0, f64::max);
@@ -226,8 +227,8 @@ fn on_orbit(found: &Found) -> Vec<Facts> {
     found.on_orbit.iter().enumerate().map(row).collect()
 }
 
-/// Returns a row for each mode; people see one of those with one frequency that oscillate about any
-/// axis in a plane.
+/// Returns a row for each mode. The text has one row for modes of one frequency that oscillate
+/// about any axis in a plane.
 fn modes(oscillations: &SmallOscillations) -> Quantity {
     let mut rows = Vec::new();
     let mut rest = oscillations.modes.as_slice();
@@ -279,7 +280,7 @@ fn about(v: [f64; 3]) -> String {
     vector(tidy(v), 4)
 }
 
-/// Components of a unit vector, zero if its digits do not show them.
+/// Sets components of a unit vector to zero that are below its printed digits.
 fn tidy(v: [f64; 3]) -> [f64; 3] {
     v.map(|x| if x.abs() < 5e-7 { 0.0 } else { x })
 }

@@ -7,17 +7,17 @@ use polhode::observe::{OrbitalEquilibrium, SmallOscillations, SteadyTop};
 
 use super::Acting;
 
-/// Small oscillations, and how their equilibrium was found.
+/// Small oscillations, and the kind of their equilibrium.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     pub start: State,
     pub place: Place,
-    /// Angle from the start's attitude, rad; for a top, of its axis.
+    /// Rotation angle from the start's attitude, rad; for a top, angle of its axis.
     pub turned: f64,
-    /// Difference of ω in space from the start's, rad/s.
+    /// Difference of ω from the start's, space axes, rad/s.
     pub omega_off: f64,
     pub oscillations: SmallOscillations,
-    /// Heavy symmetric top that the body is, if gravity alone acts.
+    /// The body as a heavy symmetric top, if it is one and gravity alone acts.
     pub heavy: Option<HeavyTop>,
     /// All attitudes at rest relative to a circular orbit, the nearest first.
     pub on_orbit: Vec<(OrbitalEquilibrium, SmallOscillations)>,
@@ -25,18 +25,18 @@ pub(crate) struct Found {
 
 #[derive(Clone, Debug)]
 pub(crate) enum Place {
-    /// The start is an equilibrium.
+    /// The start itself.
     Start,
-    /// The nearest one that keeps its place relative to the orbit.
+    /// The nearest equilibrium relative to the orbit.
     Orbit(Box<OrbitalEquilibrium>),
     /// Steady motions of a heavy symmetric top: the one with the start's momenta, and the upright
     /// one with the start's spin if it differs.
     Top(Box<SteadyTop>, Option<Box<SteadyTop>>),
-    /// The nearest one with the start's ω in space.
+    /// The nearest equilibrium with the start's ω in space.
     Nearest,
-    /// The nearest one that rotates about the vertical at the start's rate about it.
+    /// The nearest equilibrium that rotates about the vertical with the start's component of ω.
     Vertical,
-    /// The nearest one at rest.
+    /// The nearest equilibrium at rest.
     Rest,
 }
 

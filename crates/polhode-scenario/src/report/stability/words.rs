@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use polhode_document::fact::{Fact, Quantity};
 use polhode_document::unit::time;
 
-/// Digits of a number in an answer.
+/// Significant digits of a number in an answer.
 pub(crate) const DIGITS: usize = 4;
 
-/// More oscillation periods than these are among the facts only.
+/// Maximum number of oscillation periods in an answer; the facts contain all of them.
 const MOST_PERIODS: usize = 3;
 
 /// Creates a fact with six significant digits.
@@ -16,7 +16,8 @@ pub(crate) fn fact(key: &str, label: &str, value: impl Into<Quantity>) -> Fact {
     Fact::new(key, label, value).digits(6)
 }
 
-/// Frequency (rad/s), period and growth rate (1/s) of a mode, under these keys of its object.
+/// Returns the frequency (rad/s), period (s) and growth rate (1/s) of a mode, under these keys of
+/// its object.
 pub(crate) fn rates([frequency, growth_rate]: [f64; 2]) -> [Fact; 3] {
     let period = (frequency > 0.0).then(|| Quantity::Duration(TAU / frequency));
     [
@@ -55,13 +56,13 @@ pub(crate) fn verdict(modes: &[[f64; 2]]) -> String {
     }
 }
 
-/// `e-folding time 1.7 s`, `e-folding times 1.7 s and 20 s`
+/// Formats growth rates as `e-folding time 1.7 s` or `e-folding times 1.7 s and 20 s`.
 pub(crate) fn e_folding(growth_rates: &[f64]) -> String {
     let times: Vec<String> = growth_rates.iter().map(|rate| time(1.0 / rate, DIGITS)).collect();
     format!("e-folding time{} {}", if times.len() == 1 { "" } else { "s" }, listed(&times))
 }
 
-/// `1, 2 and 3`
+/// Joins names: `1, 2 and 3`.
 pub(crate) fn listed(names: &[String]) -> String {
     match names {
         [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
@@ -69,7 +70,7 @@ pub(crate) fn listed(names: &[String]) -> String {
     }
 }
 
-/// `the torque "wind" and the torque "drag"`
+/// Joins the names of torques: `the torque "wind" and the torque "drag"`.
 pub(crate) fn torques(names: &[String]) -> String {
     listed(&names.iter().map(|name| format!("the torque \"{name}\"")).collect::<Vec<_>>())
 }

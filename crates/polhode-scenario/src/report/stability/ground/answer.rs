@@ -1,4 +1,4 @@
-//! The answer to "is it stable on the ground": one to three lines.
+//! Answer to the question of the stability on the ground: one to three lines.
 
 use polhode::observe::{EndState, Place, Rattleback, SteadyPath};
 use polhode_document::number::number;
@@ -8,7 +8,7 @@ use super::words::{path, sense};
 use crate::report::answer::capitalised;
 use crate::report::stability::words::{DIGITS, verdict};
 
-/// Stability of the steady motion with its threshold, and where friction leads.
+/// Returns the stability of the steady motion with its threshold, and the effect of friction.
 pub(crate) fn lines(report: &GroundStabilityReport) -> Vec<String> {
     let steady = &report.steady;
     let mut lines = vec![stability(report)];
@@ -26,7 +26,7 @@ fn stability(report: &GroundStabilityReport) -> String {
     let steady = &report.steady;
     let pairs: Vec<[f64; 2]> = steady.modes.iter().map(|mode| [mode.frequency, mode.growth_rate]).collect();
     let is = match (steady.is_stable() && report.is_dry && !pairs.is_empty(), report.slips_at_start()) {
-        // Dry friction while the contact slips is not linear.
+        // While the contact slips, dry friction is not linear.
         (true, true) => "stable once it rolls; until the contact stops slipping, friction decides".to_owned(),
         (true, false) => format!("{} while the contact does not slip", verdict(&pairs)),
         (false, _) => verdict(&pairs),

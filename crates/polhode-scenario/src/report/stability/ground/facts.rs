@@ -16,7 +16,7 @@ use crate::report::stability::words::{fact, rates};
 /// Unit of Jellett's constant.
 const JELLETT: &str = "kg·m³/s";
 
-/// Facts in sections, in the order of the screen.
+/// Returns the facts in sections, in the order of the text.
 pub(crate) fn of(report: &GroundStabilityReport) -> Vec<Facts> {
     let steady = &report.steady;
     let rattleback = match &steady.path {
@@ -41,12 +41,12 @@ pub(crate) fn of(report: &GroundStabilityReport) -> Vec<Facts> {
     ]
 }
 
-/// JSON of the same facts.
+/// Returns the JSON of the same facts.
 pub(crate) fn json(report: &GroundStabilityReport) -> Value {
     Value::Object(object(&[], &of(report)))
 }
 
-/// Facts of an object, or its null.
+/// Returns the facts of an object, or `null`.
 fn nested(key: &'static str, facts: Option<Vec<Fact>>) -> Vec<Fact> {
     facts.unwrap_or_else(|| vec![Fact::data(key, Quantity::None)])
 }
@@ -115,7 +115,7 @@ fn deviations(report: &GroundStabilityReport) -> Vec<Fact> {
     ]
 }
 
-/// Bounds in closed form, and the place of the spin between them.
+/// Returns the bounds in closed form, and the position of the spin between them.
 fn threshold(report: &GroundStabilityReport) -> Vec<Fact> {
     let steady = &report.steady;
     let spins = steady.stable_spins.as_ref();
@@ -126,7 +126,7 @@ fn threshold(report: &GroundStabilityReport) -> Vec<Fact> {
     };
     let nearest = report.threshold();
     let stable = spins.map(|spins| {
-        // An end without a bound is null.
+        // A missing bound is `null`.
         let ends: Value = spins.intervals.iter().map(|ends| numbers(ends)).collect();
         Quantity::Data(ends, intervals(spins))
     });

@@ -1,4 +1,4 @@
-//! The report of `polhode stability` on a body on the ground.
+//! Report of `polhode stability` for a body on the ground.
 
 mod answer;
 mod facts;
@@ -13,7 +13,7 @@ use serde_json::Value;
 
 use super::screen;
 
-/// Stability of the steady motion that the start of a scenario with a `[contact]` is near to.
+/// Stability of the steady motion nearest to the start of a scenario with a `[contact]`.
 #[derive(Clone, Debug)]
 pub struct GroundStabilityReport {
     /// Source of the body.
@@ -21,7 +21,7 @@ pub struct GroundStabilityReport {
     /// Findings about the scenario.
     pub findings: Vec<Finding>,
     steady: SteadyOnGround,
-    /// True if dry friction holds the point of contact as long as it can.
+    /// True if dry friction holds the point of contact up to its limit.
     is_dry: bool,
     is_verbose: bool,
 }

@@ -1,4 +1,5 @@
-//! A bracket from a mesh, tumbling in a magnetic field that brakes it, until half of its kinetic energy is gone: a table of its motion.
+//! A bracket from a mesh, tumbling in a magnetic field that brakes it, until half of its kinetic energy
+//! is gone: a table of its motion.
 
 use std::path::Path;
 

@@ -4,8 +4,8 @@
 //! - [`request`]: what is asked of them, and the functions that answer
 //! - [`report`]: results for people and for programs: text, JSON, worked solutions, pages and figures
 //!
-//! Text is plain Unicode for a terminal of 100 columns. JSON is SI, its keys are stable, and its numbers read back bit for
-//! bit; what is not finite or does not exist is `null`.
+//! Text is plain Unicode for a terminal of 100 columns. JSON is SI, its keys are stable, and its
+//! numbers read back bit for bit; what is not finite or does not exist is `null`.
 #![forbid(unsafe_code)]
 
 pub mod read;

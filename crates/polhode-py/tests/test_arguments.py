@@ -215,6 +215,15 @@ def test_hints_name_keywords(tmp_path: Path) -> None:
     assert len(lines) > 10
     for line in lines:
         assert not re.search(r"(?<!the command's )(?<![\w-])--[a-z]", in_python(line)), in_python(line)
+    for flag, keyword in (
+        ("--weld 5e-07 (3 vertices", "weld=5e-07 (3 vertices"),
+        ('--weld "3 um" or --fill', 'weld="3 um" or fill'),
+        ("--fill 0.25, or", "fill=0.25, or"),
+        ("united by --union:", "united by union=True:"),
+        ("use --lump fixed, which", "use fixed_groups(), which"),
+        ("but --draws is 0", "but draws is 0"),
+    ):
+        assert in_python(flag) == keyword
     with pytest.raises(polhode.PolhodeError, match=r"hull=True.*by shell") as error:
         polhode.inertia((VERTICES, TRIANGLES[:3]), density=1.0)
     assert "--" not in str(error.value)

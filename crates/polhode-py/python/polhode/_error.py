@@ -9,15 +9,18 @@ import warnings
 
 #: Options of the command that are switches, those with another name in Python, and those with the
 #: same name.
-_SWITCHES = {"hull", "resume", "force"}
+_SWITCHES = {"hull", "union", "resume", "force"}
 _RENAMED = {"root": "roots", "joint": "joints", "part": "parts", "omega": "omega_axes"}
 _SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule", "field", "tolerance"}
 _SAME |= {"spacing", "origin", "per-value", "link", "subtree", "threads", "workers", "worker-timeout"}
-_SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns"}
+_SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns", "weld", "fill", "draws"}
+#: Values of options that are functions in Python.
+_FUNCTIONS = {"--lump fixed": "fixed_groups()"}
 
 #: A flag, with a value after it as an example or a placeholder.
-_VALUE = r"(?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb|wxyz|xyzw|body-to-space|space-to-body|body|space)\b"
-_FLAG = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( {_VALUE}(?: or {_VALUE})*| [A-Z]+\b| (?=\"))?")
+_VALUE = r"(?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb|wxyz|xyzw|body-to-space|space-to-body|body|space|fixed)\b"
+_NUMBER = r"[0-9][0-9.]*(?:e-?[0-9]+)?\b"
+_FLAG = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( {_VALUE}(?: or {_VALUE})*| {_NUMBER}| [A-Z]+\b| (?=\"))?")
 
 
 def in_python(text: str) -> str:
@@ -30,17 +33,25 @@ def in_python(text: str) -> str:
     'use its convex hull by hull=True'
     >>> in_python("say it: --omega body or --omega space, and --sense body-to-space or space-to-body")
     'say it: omega_axes="body" or omega_axes="space", and sense="body_to_space" or "space_to_body"'
+    >>> in_python("it closes if vertices are welded: --weld 5e-7 (3 vertices become 1)")
+    'it closes if vertices are welded: weld=5e-7 (3 vertices become 1)'
+    >>> in_python("use --lump fixed, which needs no common frame")
+    'use fixed_groups(), which needs no common frame'
     """
 
     def keyword(found: re.Match[str]) -> str:
         flag, value = found[1], (found[2] or "").strip()
         if flag in _SWITCHES:
             return f"{flag}=True"
+        if found[0] in _FUNCTIONS:
+            return _FUNCTIONS[found[0]]
         if flag not in _SAME and flag not in _RENAMED:
             return f"the command's {found[0]}"
         name = _RENAMED.get(flag, flag).replace("-", "_")
         if found[2] == " ":  # a value in quotes follows
             return f"{name}="
+        if value[:1].isdigit():
+            return f"{name}={value}"
         quoted = " or ".join(f'"{one.replace("-", "_")}"' for one in value.split(" or "))
         return f"{name}={quoted}" if value.islower() else name
 

@@ -64,13 +64,13 @@ impl Functions {
     ) -> PyResult<()> {
         for (place, which) in of_torques {
             let (Some(torque), Some(made)) = (torques.get_mut(*place), self.torques.get(*which)) else {
-                return Err(refused(format!("there is no torque {place}"), None));
+                return Err(refused(format!("torque {place} does not exist"), None));
             };
             *torque = made.clone();
         }
         for (place, which) in of_events {
             let (Some(event), Some(made)) = (events.get_mut(*place), self.measures.get(*which)) else {
-                return Err(refused(format!("there is no event {place}"), None));
+                return Err(refused(format!("event {place} does not exist"), None));
             };
             *event = measuring(event, made.clone())?;
         }
@@ -117,7 +117,7 @@ pub(crate) fn read_torques(text: &str) -> PyResult<Vec<TorqueModel>> {
     if actions.pivot().is_none() && actions.scenario().switched_off().is_empty() {
         return Ok(actions.scenario().torques().to_vec());
     }
-    Err(refused("torques may hold [[torque]] tables only, of free bodies, all switched on", None))
+    Err(refused("torques may contain only [[torque]] tables of free bodies, all switched on", None))
 }
 
 /// Refuses a text of torques that has other tables.
@@ -128,6 +128,6 @@ fn require_torques(text: &str) -> PyResult<()> {
     if tables.keys().all(|key| known.contains(&key.as_str())) {
         return Ok(());
     }
-    let hint = "what a scenario's other sections say is what an ensemble's other arguments say";
-    Err(refused("torques may hold [[torque]] tables only, and the [orbit] of these", Some(hint)))
+    let hint = "use the ensemble's other arguments for the other sections of a scenario";
+    Err(refused("torques may contain only [[torque]] tables and their [orbit]", Some(hint)))
 }

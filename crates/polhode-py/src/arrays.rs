@@ -21,7 +21,7 @@ use crate::error::refused;
 pub(crate) fn room<T>(what: &str, count: Option<usize>) -> PyResult<()> {
     match count.map(|count| Vec::<T>::new().try_reserve_exact(count)) {
         Some(Ok(())) => Ok(()),
-        _ => Err(PyMemoryError::new_err(format!("there is no memory for {what}: ask for fewer at once"))),
+        _ => Err(PyMemoryError::new_err(format!("not enough memory for {what}: request fewer at once"))),
     }
 }
 
@@ -85,7 +85,7 @@ pub(crate) fn rows<'a, const N: usize>(array: &'a PyReadonlyArray2<'_, f64>) -> 
     let numbers = array.as_slice().map_err(|error| refused(error.to_string(), None))?;
     match numbers.as_chunks() {
         (rows, []) => Ok(rows),
-        _ => Err(refused(format!("rows of {N} numbers belong here"), None)),
+        _ => Err(refused(format!("expected rows of {N} numbers"), None)),
     }
 }
 
@@ -96,7 +96,7 @@ pub(crate) fn rows_mut<'a, const N: usize>(
     let numbers = array.as_slice_mut().map_err(|error| refused(error.to_string(), None))?;
     match numbers.as_chunks_mut() {
         (rows, []) => Ok(rows),
-        _ => Err(refused(format!("rows of {N} numbers belong here"), None)),
+        _ => Err(refused(format!("expected rows of {N} numbers"), None)),
     }
 }
 

@@ -96,17 +96,26 @@ impl Step {
         if self.left_out > 0 {
             warn(
                 "step.not_a_solid",
-                format!("{} shells or faces bound no solid and were left out", self.left_out),
+                match self.left_out {
+                    1 => "1 shell or face that does not enclose a solid was left out".to_owned(),
+                    n => format!("{n} shells or faces that do not enclose a solid were left out"),
+                },
             );
         }
         if !self.invalid.is_empty() {
             let numbers: Vec<_> = self.invalid.iter().map(ToString::to_string).collect();
-            warn("step.invalid", format!("OpenCASCADE finds fault with solid {}", numbers.join(", ")));
+            warn(
+                "step.invalid",
+                format!("OpenCASCADE reports invalid geometry in solid {}", numbers.join(", ")),
+            );
         }
         if self.error > LARGE {
             warn(
                 "step.error",
-                format!("OpenCASCADE knows volume, centre and tensor of a solid to {:.1e} only", self.error),
+                format!(
+                    "the relative error of volume, centre and tensor of a solid is {:.1e} in OpenCASCADE",
+                    self.error
+                ),
             );
         }
         findings

@@ -93,7 +93,7 @@ fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -
     }
     if questions.draws == Some(0) && !file.limits.is_empty() {
         let hint = "leave draws out";
-        return Err(refused("the list has limits, which are tried by draws, and draws is 0", Some(hint)));
+        return Err(refused("the limits of the file need draws, but draws is 0", Some(hint)));
     }
     let configuration = asked.configuration.as_deref();
     BudgetReport::of_file(file, &questions, configuration, Scope::Full, &mut |_, _| ())

@@ -150,11 +150,14 @@ pub(crate) fn parameters(keys: &[String], torques: &[TorqueModel]) -> PyResult<V
                 .flat_map(|torque| known(torque).map(move |n| format!("torque[{torque}].{n}")));
             let all: Vec<String> = all.collect();
             let hint = match &all[..] {
-                [] => "the scenario has no torque: derivatives=[] has those by its start and its inertia"
-                    .to_owned(),
-                _ => format!("it has {}", all.join(", ")),
+                [] => {
+                    "the scenario has no torque: derivatives=[] gives those with respect to start and inertia"
+                        .to_owned()
+                }
+                _ => format!("known parameters: {}", all.join(", ")),
             };
-            let message = format!("derivatives[{k}] = {key:?} must be a number of a torque of the scenario");
+            let message =
+                format!("derivatives[{k}] = {key:?} must be a parameter of a torque of the scenario");
             refused(message, Some(&hint))
         })
     };
@@ -194,6 +197,6 @@ pub(crate) fn carried_covariance<'py>(
         all.iter().map(|(of, columns)| of.joint_covariance(columns, &joint)).collect::<Option<Vec<_>>>()
     });
     let carried =
-        carried.ok_or_else(|| refused("a covariance has a row and a column for each number", None))?;
+        carried.ok_or_else(|| refused("a covariance matrix has one row and one column per number", None))?;
     cube(py, carried.as_flattened().as_flattened().to_vec(), [carried.len(), 6, 6])
 }

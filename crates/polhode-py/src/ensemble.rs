@@ -73,7 +73,9 @@ impl PyEnsemble {
             let actions = actions.iter().map(read).collect::<PyResult<Vec<_>>>()?;
             let of_member = |k: usize| {
                 let of_it = which.as_ref().map_or(Some(0), |which| which.get(k).copied());
-                of_it.and_then(|which| actions.get(which)).ok_or_else(|| refused("nothing acts", None))
+                of_it
+                    .and_then(|which| actions.get(which))
+                    .ok_or_else(|| refused("the member has no torques", None))
             };
             let body = |k: usize, tensor: &[f64; 9]| {
                 let place = known.and_then(|(masses, centers)| Some((*masses.get(k)?, *centers.get(k)?)));
@@ -119,9 +121,9 @@ impl PyEnsemble {
                 let own =
                     scenario.run().filter(|run| run.method != Method::Auto || run.tolerance != TOLERANCE);
                 if own.is_some() {
-                    let hint = Some("Ensemble.at takes a tolerance, and the best method for each member");
+                    let hint = Some("delete it: Ensemble.at has an argument tolerance and chooses the method of each member");
                     return Err(refused(
-                        format!("member {k}: its run has a method or a tolerance of its own"),
+                        format!("member {k}: its [run] sets a method or a tolerance"),
                         hint,
                     ));
                 }
@@ -242,6 +244,6 @@ fn refused_member(member: usize, error: &dyn std::error::Error, hint: Option<&st
 }
 
 fn massless() -> PyErr {
-    let hint = Some("give body: mass properties, which have both");
+    let hint = Some("give body: mass properties contain both");
     refused("a body that is held at a pivot needs its mass and its centre of mass", hint)
 }

@@ -118,8 +118,8 @@ impl PyFreeMotion {
         self.motion.require(times).map_err(Raise::raise)?;
         let Some(inertia) = self.inertia else {
             return Err(refused(
-                "moments that are no body's have no derivatives by an inertia tensor",
-                Some("leave allow_unphysical out to see what is wrong with them"),
+                "moments that are not physical have no derivatives with respect to an inertia tensor",
+                Some("leave allow_unphysical out to see why they are not physical"),
             ));
         };
         let rotor = rotor(inertia)?;
@@ -137,10 +137,8 @@ impl PyFreeMotion {
         watch.ended()?;
         if let Some(unknown) = states.iter().find(|of| of.by_start[0][0].is_nan()) {
             return Err(refused(
-                format!("at t = {} s the derivatives are beyond the range of numbers", unknown.state.time),
-                Some(
-                    "next to the intermediate axis they grow by exp(growth_rate * t): ask for earlier times",
-                ),
+                format!("at t = {} s the derivatives are too large for a double", unknown.state.time),
+                Some("near the intermediate axis they grow as exp(growth_rate * t): use earlier times"),
             ));
         }
         derived_states(py, &rotor, &states)
@@ -223,7 +221,7 @@ impl PyFreeMotion {
         if motion.kinetic_energy().is_finite() && motion.momentum().norm().is_finite() {
             return Ok(Self { motion, inertia });
         }
-        let message = "the energy or |L| of this motion is beyond the range of numbers, 1.8e308";
+        let message = "the energy or |L| of this motion is too large for a double (at most 1.8e308)";
         Err(refused(message, Some("check the units and the exponents")))
     }
 }

@@ -115,7 +115,7 @@ pub(crate) fn watched_apart<T: Send + 'static>(
         // The worker panicked, otherwise it would have sent a result.
         (None, worker) => match worker.join() {
             Err(panic) => std::panic::resume_unwind(panic),
-            Ok(()) => Err(refused("the computation has ended without a result", None)),
+            Ok(()) => Err(refused("the computation ended without a result", None)),
         },
     }
 }

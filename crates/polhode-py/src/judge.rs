@@ -49,8 +49,8 @@ impl Said {
         let right_handed = |text: &String| {
             SignedAxes::parse(text).ok_or_else(|| {
                 refused(
-                    format!("axes = {text:?} must be three axes of x, y and z, each once, that are right-handed"),
-                    Some("y upwards is \"x,z,-y\"; of left-handed axes reverse all three, as for rotations that is the same"),
+                    format!("axes = {text:?} must be three right-handed axes, x, y and z each once"),
+                    Some("y up is \"x,z,-y\"; for left-handed axes reverse all three, which gives the same rotations"),
                 )
             })
         };

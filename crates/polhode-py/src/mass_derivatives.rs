@@ -207,7 +207,7 @@ fn found(solid: &ClosedMesh, points: &[[f64; 3]], corners: &[[u32; 3]]) -> PyRes
     for (number, _) in numbers.iter().zip(&used).filter(|(_, used)| **used) {
         let Some(number) = number else {
             return Err(refused(
-                "the coordinates of the vertices are too different in size to tell which is which",
+                "the coordinates of the vertices differ too much in magnitude",
                 Some("check the units and the exponents"),
             ));
         };
@@ -259,5 +259,5 @@ fn finite(derivatives: Vec<f64>) -> PyResult<Vec<f64>> {
     if derivatives.iter().all(|by| by.is_finite()) {
         return Ok(derivatives);
     }
-    Err(refused("a derivative is too large for a number", Some("check the units and the exponents")))
+    Err(refused("a derivative is too large for a double", Some("check the units and the exponents")))
 }

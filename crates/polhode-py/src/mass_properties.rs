@@ -133,7 +133,7 @@ impl PyMassProperties {
     /// Returns the tensor about a point, body axes, kg·m².
     fn about<'py>(&self, py: Python<'py>, point: [f64; 3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let about = self.properties().inertia_about(Position::from_array(point)).matrix();
-        finite_matrix(py, &about, "the tensor about that point is too large for a number", "check point")
+        finite_matrix(py, &about, "the tensor about that point is too large for a double", "check point")
     }
 
     /// Returns the tensor about the centre of mass along rotated axes; the quaternion takes their
@@ -141,7 +141,7 @@ impl PyMassProperties {
     fn along<'py>(&self, py: Python<'py>, wxyz: [f64; 4]) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let turn = Rotation::<Body, Part>::from_quaternion(wxyz).map_err(Raise::raise)?;
         let along = self.properties().inertia().in_frame(turn.inverse()).matrix();
-        finite_matrix(py, &along, "the tensor along those axes is too large for a number", "check the body")
+        finite_matrix(py, &along, "the tensor along those axes is too large for a double", "check the body")
     }
 
     #[getter]
@@ -200,8 +200,8 @@ impl PyMassProperties {
         let Some(format) = ExportFormat::named(format) else {
             let names: Vec<_> = ExportFormat::ALL.iter().map(|format| format.name()).collect();
             return Err(refused(
-                format!("no format is called {format:?}"),
-                Some(&format!("known are {}", names.join(", "))),
+                format!("unknown format {format:?}"),
+                Some(&format!("known formats: {}", names.join(", "))),
             ));
         };
         export(format, &[ExportBody::of_report(name, &self.report)])

@@ -89,7 +89,7 @@ impl Made {
             tolerance,
             goes_on,
             words: MeshWords {
-                unit: "give unit=\"mm\", or unit=\"m\" if it is so",
+                unit: "give unit=\"mm\", or unit=\"m\" if the file is in metres",
                 file: None,
                 substance: None,
             },
@@ -106,8 +106,8 @@ impl Raise for MeshBodyError {
             Self::Body(error) => error.raise(),
             Self::Density(error) => refused(&error, error.hint().or(Some("check field and tolerance"))),
             Self::AllNamed => refused(
-                "density, mass or material is for what parts does not name, and it names every part",
-                Some("leave it out, or leave a part out of parts"),
+                "density, mass or material applies to parts that are not in `parts`, but every part is",
+                Some("delete it, or delete a part from `parts`"),
             ),
             other => refused(&other, Some(other.hint().as_str()).filter(|hint| !hint.is_empty())),
         }
@@ -136,7 +136,7 @@ pub(crate) fn mesh_file(
         .iter()
         .copied()
         .find(|known| known.name() == format)
-        .ok_or_else(|| refused(format!("no mesh format is called {format:?}"), None))?;
+        .ok_or_else(|| refused(format!("unknown mesh format {format:?}"), None))?;
     let made = Made::new(options, &given)?;
     watched_apart(py, move |goes_on| {
         made.mass_properties(goes_on, |how| how.read(&Disk, &path, format, &mut ()))

@@ -23,6 +23,7 @@ const FEATURES: [(&str, bool); 7] = [
 pub(crate) fn missing(name: &str) -> PyResult<Py<PyAny>> {
     let left_out = FEATURES.iter().filter(|(_, is_built)| !is_built).map(|(name, _)| *name);
     let left_out = left_out.collect::<Vec<_>>().join(", ");
-    let message = format!("no {name} in this build of polhode, which leaves out the features {left_out}");
+    let message =
+        format!("this build of polhode has no {name}; it was built without the features {left_out}");
     Err(PyAttributeError::new_err(message))
 }

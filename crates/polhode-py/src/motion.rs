@@ -75,7 +75,7 @@ pub(crate) fn simulate(
     let by = derivatives.as_ref().map(|keys| parameters(keys, file.scenario.torques())).transpose()?;
     let Some(motion) = computed(py, &file.scenario, error, &raised)? else {
         return Err(refused(
-            format!("{} has no [run] section, so there is no time to simulate", path.display()),
+            format!("{} has no [run] section, which sets the simulated time", path.display()),
             Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),
         ));
     };
@@ -142,13 +142,14 @@ impl PyMotion {
     /// order. The motion is computed again with these times among its samples.
     fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
         let asked = numbers(&times)?;
-        let run = self.scenario.run().ok_or_else(|| refused("there is no run", None))?;
+        let run = self.scenario.run().ok_or_else(|| refused("the scenario has no [run] section", None))?;
         let mut all: Vec<f64> = run.times.iter().chain(asked).copied().collect();
         all.sort_by(f64::total_cmp);
         all.dedup();
         let scenario = self.scenario.clone().sampled(Run { times: all, ..run.clone() });
         let again = computed(py, &scenario, "none", &self.raised)?;
-        let again = again.ok_or_else(|| refused("there is no run", None))?.map_err(Raise::raise)?;
+        let again =
+            again.ok_or_else(|| refused("the scenario has no [run] section", None))?.map_err(Raise::raise)?;
         let samples = again.samples();
         let (mut omega, mut attitude) = (Vec::new(), Vec::new());
         for &time in asked {
@@ -168,7 +169,7 @@ impl PyMotion {
         let times = numbers(&times)?.to_vec();
         let scenario = self.scenario.after(&self.trajectory, times).map_err(Raise::raise)?;
         let motion = computed(py, &scenario, error, &self.raised)?;
-        let motion = motion.ok_or_else(|| refused("there is no run", None))?;
+        let motion = motion.ok_or_else(|| refused("the scenario has no [run] section", None))?;
         Ok(Self {
             path: self.path.clone(),
             text: self.text.clone(),

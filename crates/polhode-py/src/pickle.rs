@@ -62,7 +62,7 @@ pub(crate) fn report((numbers, source, geometry, extras, findings): Values) -> P
     let remark = |(code, severity, message, place): Remark| {
         let all = [Severity::Error, Severity::Warning, Severity::Info];
         let severity = all.into_iter().find(|known| known.name() == severity);
-        let severity = severity.ok_or_else(|| refused("a finding has no such severity", None))?;
+        let severity = severity.ok_or_else(|| refused("a finding has an unknown severity", None))?;
         Ok(Finding { code: name(code), severity, message, place })
     };
     let fields = read(&fields)?.as_object().cloned().unwrap_or_default();

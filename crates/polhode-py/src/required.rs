@@ -44,7 +44,10 @@ pub(crate) fn required_torque<'py>(
     let mut file = py.detach(|| scenario::read(path.clone(), text)).map_err(Raise::raise)?;
     if file.scenario.prescribed().is_none() {
         let hint = "write [prescribed] with axis = [0, 0, 1] and rate = \"3 rad/s\", or [shaft]; simulate computes other motions";
-        return Err(refused("the scenario prescribes no motion, so no torque is asked for", Some(hint)));
+        return Err(refused(
+            "the scenario has no [prescribed] motion, so there is no torque to compute",
+            Some(hint),
+        ));
     }
     if let Some(times) = &times {
         file.scenario = scenario::sampled(file.scenario, numbers(times)?);

@@ -85,7 +85,7 @@ fn read(path: &Path) -> PyResult<RobotModel> {
 fn one(model: &RobotModel, lumping: Lumping<'_>, joints: &[(String, JointValue)]) -> PyResult<InertiaReport> {
     let positions = positions(model, joints)?;
     let mut reports = of_lumps(model, lumping, &positions).map_err(|error| raised(model, &error))?;
-    reports.pop().ok_or_else(|| refused(format!("no link of {} has a mass", model.path.display()), None))
+    reports.pop().ok_or_else(|| refused(format!("no link of {} has mass", model.path.display()), None))
 }
 
 /// Converts joint values to rad or m.
@@ -97,9 +97,9 @@ fn positions(model: &RobotModel, joints: &[(String, JointValue)]) -> PyResult<Ve
             let dimension = if slides { Dimension::LENGTH } else { Dimension::ANGLE };
             let parsed = unit::parse(text, dimension).map_err(|error| {
                 let hint = if slides {
-                    "it slides: a length, such as \"20 mm\""
+                    "the joint slides: write a length, such as \"20 mm\""
                 } else {
-                    "it turns: an angle, such as \"30 deg\""
+                    "the joint rotates: write an angle, such as \"30 deg\""
                 };
                 refused(format!("joints[{name:?}]: {error}"), Some(hint))
             });

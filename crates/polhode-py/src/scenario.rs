@@ -82,7 +82,7 @@ pub(crate) fn with_functions(
     let mut models = scenario.torques().to_vec();
     for (place, in_space, law) in functions {
         let model =
-            models.get_mut(place).ok_or_else(|| refused(format!("there is no torque {place}"), None))?;
+            models.get_mut(place).ok_or_else(|| refused(format!("torque {place} does not exist"), None))?;
         *model = function(in_space, law, Arc::clone(raised));
     }
     let (names, off) = (scenario.torque_names().to_vec(), scenario.switched_off().to_vec());
@@ -107,7 +107,7 @@ pub(crate) fn with_measures(
     let mut events = scenario.events().to_vec();
     for (place, needs_body, measure) in measures {
         let event =
-            events.get_mut(place).ok_or_else(|| refused(format!("there is no event {place}"), None))?;
+            events.get_mut(place).ok_or_else(|| refused(format!("event {place} does not exist"), None))?;
         *event = measuring(event, measured(needs_body, measure, Arc::clone(raised)))?;
     }
     scenario.watching(events).map_err(Raise::raise)

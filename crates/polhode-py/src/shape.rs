@@ -59,6 +59,6 @@ fn of_name(kind: &str, lengths: &[f64], ends: bool) -> PyResult<Result<Box<dyn S
             boxed(TriangularPrism::new([[a, b], [c, d], [e, f]], length))
         }
         ("torus", &[ring, tube]) => boxed(Torus::new(ring, tube)),
-        _ => return Err(refused(format!("no shape {kind} has {} lengths", lengths.len()), None)),
+        _ => return Err(refused(format!("the shape {kind} does not have {} lengths", lengths.len()), None)),
     })
 }

@@ -24,13 +24,13 @@ pub(crate) fn scenario_stability(
     py.detach(|| {
         let file = scenario::read(path.clone(), text).map_err(Raise::raise)?;
         if file.scenario.prescribed().is_some() {
-            let hint = "leave out [prescribed], or ask polhode.explain for the torque that the motion needs";
-            return Err(refused("the motion is prescribed: nothing can depart from it", Some(hint)));
+            let hint = "delete [prescribed], or use polhode.explain for the torque that the motion needs";
+            return Err(refused("the motion is prescribed, so its stability is not defined", Some(hint)));
         }
         if file.scenario.history().is_some() {
             let hint =
-                "simulate computes its motion; leave out [mass_history] for the body as it is at the start";
-            return Err(refused("the mass properties change: no motion is steady", Some(hint)));
+                "polhode.simulate computes its motion; delete [mass_history] for the body at the start";
+            return Err(refused("the mass properties change, so there is no steady motion", Some(hint)));
         }
         let source = source(&path, &file);
         match file.scenario.ground() {

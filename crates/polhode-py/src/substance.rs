@@ -42,10 +42,9 @@ impl Given {
         ];
         let mut given = all.into_iter().filter_map(|(name, substance)| Some((name, substance?)));
         match (given.next(), given.next()) {
-            (Some((a, _)), Some((b, _))) => Err(refused(
-                format!("{a} and {b} are both given: one of them says what the body is made of"),
-                None,
-            )),
+            (Some((a, _)), Some((b, _))) => {
+                Err(refused(format!("{a} and {b} are both given: give only one of them"), None))
+            }
             (first, _) => Ok(first.map(|(_, substance)| substance)),
         }
     }
@@ -55,16 +54,14 @@ impl Given {
     /// # Errors
     /// Same as [`Self::substance`], and an error if none is given.
     pub(crate) fn required(&self) -> PyResult<Substance> {
-        self.substance()?.ok_or_else(|| {
-            refused("nothing says what the body is made of", Some("give density, mass or material"))
-        })
+        self.substance()?
+            .ok_or_else(|| refused("no density, mass or material is given", Some("give one of them")))
     }
 }
 
 fn density_of(name: &str) -> PyResult<f64> {
     material::named(name).map(|material| material.density).map_err(|unknown| {
-        let hint =
-            format!("{} (known are {})", unknown.hint_or("give its density"), UnknownMaterial::known());
-        refused(format!("no material is called {name:?}"), Some(&hint))
+        let hint = format!("{} (known: {})", unknown.hint_or("give its density"), UnknownMaterial::known());
+        refused(format!("unknown material {name:?}"), Some(&hint))
     })
 }

@@ -276,5 +276,5 @@ fn plain_values(name: &str, values: &Bound<'_, PyAny>) -> PyResult<Values> {
     values
         .extract::<Vec<Option<String>>>()
         .map(Values::Text)
-        .map_err(|_| refused(format!("column {name} must hold whole numbers, numbers or text"), None))
+        .map_err(|_| refused(format!("column {name} must contain integers, numbers or text"), None))
 }

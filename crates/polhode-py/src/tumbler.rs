@@ -26,8 +26,7 @@ pub(crate) fn tumbling_spins(
     py.detach(|| {
         let report = TumblerReport::new(None, PrincipalFrame::of(&inertia), periods, convention);
         let report = report.map_err(|error| {
-            let hint =
-                "try the other convention, or a period twice or half as long: a light curve may show either";
+            let hint = "try the other convention, or twice or half the period: a light curve can show either";
             refused(error, Some(hint))
         })?;
         Ok((report.to_json().to_string(), report.to_text()))

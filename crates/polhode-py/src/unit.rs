@@ -13,7 +13,7 @@ use crate::error::refused;
 pub(crate) fn unit(name: &str, of_mass: bool) -> PyResult<f64> {
     let dimension = if of_mass { Dimension::MASS } else { Dimension::LENGTH };
     if !name.starts_with(char::is_alphabetic) {
-        return Err(refused(format!("{name:?} is no unit"), Some("a name belongs here, such as \"mm\"")));
+        return Err(refused(format!("{name:?} is not a unit"), Some("write a name, such as \"mm\"")));
     }
     factor(name, dimension).map_err(|error| refused(&error, error.hint().as_deref()))
 }

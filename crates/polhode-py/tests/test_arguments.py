@@ -243,8 +243,8 @@ def test_options_that_exclude_each_other_are_refused(tmp_path: Path) -> None:
     for call, says in (
         (lambda: polhode.inertia((VERTICES, TRIANGLES), density=1.0, hull=True, shell=0.1), "hull and shell are both given"),
         (lambda: polhode.FreeMotion(inertia=[1, 2, 2.5], omega=[1, 2, 3], allow_unphysical=True), "allow_unphysical = True means nothing for inertia"),
-        (lambda: polhode.Ensemble(**bodies, torques=torque + sweep), r"torques may hold \[\[torque\]\] tables only"),
-        (lambda: polhode.Ensemble(**bodies, torques='title = "drag"\n' + torque), r"torques may hold \[\[torque\]\] tables only"),
+        (lambda: polhode.Ensemble(**bodies, torques=torque + sweep), r"torques may contain only \[\[torque\]\] tables"),
+        (lambda: polhode.Ensemble(**bodies, torques='title = "drag"\n' + torque), r"torques may contain only \[\[torque\]\] tables"),
         (lambda: polhode.Ensemble(inertia=[[1, 0.1, 0], [0, 2, 0], [0, 0, 2.5]], omega=[[1, 2, 3]]), "member 0: .*not symmetric.*\nhint: give each product"),
         (lambda: polhode.Ensemble(**bodies).at([1.0], tolerance=1e300), "the tolerance = 1e300 must be between"),
     ):

@@ -200,7 +200,7 @@ def test_what_has_no_derivatives_is_refused() -> None:
         polhode.simulate(PUSHED, derivatives=["torque[1].xy", "torque[0].stiffness"])
     assert "torque[0].x, torque[0].y, torque[0].z, torque[0].factor, torque[1].xx" in str(error.value.hint)
     for odd in ("torque[2].factor", "torque[x].y", "start.spin.body[0]", "torque[0]y"):
-        with pytest.raises(polhode.PolhodeError, match="must be a number of a torque"):
+        with pytest.raises(polhode.PolhodeError, match="must be a parameter of a torque"):
             polhode.simulate(PUSHED, derivatives=[odd])
     with pytest.raises(TypeError, match="derivatives must be a list"):
         polhode.simulate(PUSHED, derivatives="torque[0].y")
@@ -210,7 +210,7 @@ def test_what_has_no_derivatives_is_refused() -> None:
         polhode.FreeMotion(moments=[1, 2, 9], omega=OMEGA, allow_unphysical=True).derivatives([1.0])
     with pytest.raises(polhode.PolhodeError, match="1e-8 of the greatest"):
         polhode.FreeMotion(moments=[0, 2, 2], omega=OMEGA).derivatives([1.0])
-    with pytest.raises(polhode.PolhodeError, match="t = 1000 s the derivatives are beyond"):
+    with pytest.raises(polhode.PolhodeError, match="t = 1000 s the derivatives are too large"):
         polhode.FreeMotion(moments=[1, 2, 3], omega=[0, 1, 0]).derivatives([0.0, 1e3])
     with pytest.raises(polhode.PolhodeError, match="too far away"):
         free().derivatives([1e40])

@@ -240,7 +240,7 @@ def test_scenarios_that_are_no_members_are_refused() -> None:
         with pytest.raises(polhode.PolhodeError, match=says):
             polhode.Ensemble.of([good, polhode.Scenario.from_toml(text)])
     for run in (Run(duration=1.0, method="dop853"), Run(duration=1.0, tolerance=1e-6)):
-        with pytest.raises(polhode.PolhodeError, match="member 1: its run has a method or a tolerance of its own\nhint: Ensemble.at takes"):
+        with pytest.raises(polhode.PolhodeError, match=r"member 1: its \[run\] sets a method or a tolerance\nhint: delete it: Ensemble.at has"):
             polhode.Ensemble.of([good, good.replace(run=run)])
     assert len(polhode.Ensemble.of([good, good.replace(run=Run(duration=1.0, samples=7, method="auto", tolerance=1e-13))])) == 2
 

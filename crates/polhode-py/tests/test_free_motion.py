@@ -38,7 +38,7 @@ def test_states_have_the_digits_of_the_references(fixtures: Path) -> None:
 
 def test_energy_beyond_the_range_of_numbers_is_refused() -> None:
     for given in ({"moments": [1.37, 2.09, 2.91]}, {"inertia": np.diag([1.37, 2.09, 2.91])}):
-        with pytest.raises(polhode.PolhodeError, match="beyond the range of numbers"):
+        with pytest.raises(polhode.PolhodeError, match="too large for a double"):
             polhode.FreeMotion(**given, omega=[3e160, -5e160, 9e160], attitude=TURN)
         motion = polhode.FreeMotion(**given, omega=[3e150, -5e150, 9e150], attitude=TURN)
         assert np.isfinite(motion.kinetic_energy)

@@ -102,7 +102,7 @@ def test_a_mesh_that_is_absurd_in_metres_is_asked_for_its_unit(examples: Path) -
         (examples / "bracket.stl", {"density": 2700.0}),
         (examples / "bracket.stl", {"density": 2700.0, "shell": 0.1}),
     ):
-        with pytest.warns(polhode.PolhodeWarning, match=r'is it in mm\? \(give unit="mm", or unit="m" if it is so\) \[mesh.unit\]'):
+        with pytest.warns(polhode.PolhodeWarning, match=r'is it in mm\? \(give unit="mm", or unit="m" if the file is in metres\) \[mesh.unit\]'):
             body = polhode.inertia(source, **options)
         assert [finding.code for finding in body.findings if finding.severity == "warning"] == ["mesh.unit"]
         for unit in ("m", "mm", 1.0):
@@ -257,7 +257,7 @@ def test_what_hangs_from_a_link_and_what_follows_a_joint(examples: Path) -> None
     for options, says in (
         ({"joints": {"right_knuckle": 0.1}}, '"right_knuckle" follows "left_knuckle"'),
         ({"joints": {"lfit": 0.1}}, "did you mean lift"),
-        ({"joints": {"lift": "3 deg"}}, "it slides: a length"),
+        ({"joints": {"lift": "3 deg"}}, "the joint slides: write a length"),
         ({"subtree": "plam"}, "did you mean palm"),
         ({"subtree": "palm", "joints": {"lift": 0.1}}, "moves nothing below"),
         ({"subtree": "palm", "link": "palm"}, "link and subtree are both given"),

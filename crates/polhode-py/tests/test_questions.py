@@ -208,8 +208,8 @@ def test_parts_are_made_of_their_own(tmp_path: Path) -> None:
         assert np.allclose(found.center_of_mass, whole.center_of_mass, rtol=1e-12) and np.allclose(found.inertia, whole.inertia, rtol=1e-11, atol=1e-18)
     for parts, rest, says in (
         ({"tyre": "steel"}, {}, 'no part named "tyre"\nhint: its parts are "wheel", "hub"'),
-        ({"wheel": "steel", "hub": "steel"}, {"density": 1.0}, "it names every part"),
-        ({"wheel": "cheese"}, {}, "no material is called"),
+        ({"wheel": "steel", "hub": "steel"}, {"density": 1.0}, "but every part is"),
+        ({"wheel": "cheese"}, {}, "unknown material"),
         ({"wheel": {"density": -1.0}}, {}, r"parts\['wheel'\]\['density'\] = -1.0 must be positive"),
         ({"wheel": {"mass": 1.0, "density": 1.0}}, {}, "must have one of density, mass and material"),
         ({"wheel": 7850.0}, {}, r"parts\['wheel'\] must be a material or a dict, not float"),

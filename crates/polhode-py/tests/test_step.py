@@ -173,7 +173,7 @@ def test_what_is_no_solid_is_refused_or_said(occ: Any, tmp_path: Path) -> None:
     with pytest.raises(polhode.PolhodeError, match="has no solid, but 1 surfaces"):
         polhode.inertia(_write(tmp_path / "face.step", face), density=1.0)
     cylinder = BRepPrimAPI_MakeCylinder(_placed(), 2.0, 3.0).Shape()
-    with pytest.warns(polhode.PolhodeWarning, match=r"1 shells or faces bound no solid and were left out \[step.not_a_solid\]"):
+    with pytest.warns(polhode.PolhodeWarning, match=r"1 shell or face that does not enclose a solid was left out \[step.not_a_solid\]"):
         polhode.inertia(_write(tmp_path / "both.step", cylinder, face), density=1.0)
     with pytest.warns(polhode.PolhodeWarning, match="mass.assumed"):
         polhode.inertia(_write(tmp_path / "alone.step", cylinder))

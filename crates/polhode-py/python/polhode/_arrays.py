@@ -74,7 +74,7 @@ def _array(name: str, value: object, what: str, rule: str = INEXACT) -> npt.NDAr
     value = _in_si(name, value)
     # A table may have a column that is named ``unit``.
     if not hasattr(value, "iloc") and any(getattr(value, word, None) is not None for word in ("unit", "units")):
-        raise TypeError(f"{name} has a unit of its own, which is neither Pint's nor Astropy's and would be lost: give plain numbers in SI units")
+        raise TypeError(f"{name} has a unit that is neither Pint's nor Astropy's and would be lost: give plain numbers in SI units")
     refuse_masked(name, value)
     if isinstance(value, (list, tuple)):
         _look(name, value, (), rule)
@@ -90,7 +90,7 @@ def refuse_masked(name: str, value: object) -> None:
     """Refuses masked elements of NumPy and Astropy, because the mask would be lost."""
     mask = getattr(value, "mask", False)
     if not callable(mask) and np.any(mask):
-        raise PolhodeError(f"{name} has masked elements: give all of them, or leave their rows out")
+        raise PolhodeError(f"{name} has masked elements: fill them in, or delete their rows")
 
 
 def _look(name: str, value: Iterable[Any], place: tuple[int, ...], rule: str = INEXACT) -> None:
@@ -124,7 +124,7 @@ def _in_si(name: str, value: Any) -> Any:
         return value
     dimension = _units.dimension_of(name)
     if dimension is None:
-        raise TypeError(f"{name} has a unit of its own, and is not a physical quantity of one kind: give plain numbers")
+        raise TypeError(f"{name} has a unit, but it is not one physical quantity: give plain numbers")
     return _numbers(name, value, dimension)
 
 
@@ -150,7 +150,7 @@ def _numbers(name: str, value: Any, dimension: _units.Dimension) -> Any:
     if isinstance(value, (list, tuple)):
         bare = next((k for k, element in enumerate(value) if not _units.has_units(element)), None)
         if bare is not None:
-            raise PolhodeError(f"{name}[{bare}] has no unit, and others have one: give all of them, or none")
+            raise PolhodeError(f"{name}[{bare}] has no unit, but other elements have one: give all of them a unit, or none")
         return [_numbers(f"{name}[{k}]", element, dimension) for k, element in enumerate(value)]
     magnitude, powers = _si(name, value)
     found = {symbol: power for symbol, power in powers.items() if symbol != "rad"}
@@ -180,7 +180,7 @@ def kind_of(value: object) -> str:
 def shown(number: Any) -> str:
     """Returns a number as text; for an integer of hundreds of digits, the count of its digits."""
     if isinstance(number, int) and number.bit_length() > 128:
-        return f"an integer of some {round(0.30103 * number.bit_length())} digits"
+        return f"an integer of about {round(0.30103 * number.bit_length())} digits"
     return str(number)
 
 
@@ -263,7 +263,7 @@ def symmetric(name: str, tensors: Floats) -> Floats:
     if not rounded.any():
         return tensors
     most = (apart[rounded] / size[rounded]).max()
-    warn(f"{name} is not symmetric: its halves differ by {most:.2g} of the greatest moment, as float32 rounds; their mean is taken")
+    warn(f"{name} is not symmetric: its halves differ by {most:.2g} of the greatest moment (float32 rounding); their mean is used")
     return np.where(rounded[..., None, None], 0.5 * tensors + 0.5 * mirrored, tensors)
 
 
@@ -345,7 +345,7 @@ def text(name: str, value: object) -> str:
     try:
         value.encode()
     except UnicodeEncodeError as error:
-        raise PolhodeError(f"{name} has half a character at {error.start}, a lone surrogate: that is no text") from None
+        raise PolhodeError(f"{name} has half a character at {error.start} (a lone surrogate), which is not valid text") from None
     return value
 
 

@@ -44,7 +44,7 @@ class Body(NoArray, Mapping[str, MassProperties]):
     (['head', 'handle'], False)
     """
 
-    _instead = "its numbers are those of its parts, and of mass_properties"
+    _instead = "its numbers are in its parts and in mass_properties"
 
     def __init__(self, parts: Mapping[str, MassProperties]) -> None:
         if not isinstance(parts, Mapping):
@@ -132,7 +132,7 @@ class Body(NoArray, Mapping[str, MassProperties]):
         points = {}
         for name, point in (about or {}).items():
             if name not in self._parts:
-                raise PolhodeError(f"about has {name!r}, which is no part", f"parts are {', '.join(self._parts)}")
+                raise PolhodeError(f"about has {name!r}, which is not a part", f"known parts: {', '.join(self._parts)}")
             points[name] = _arrays.triple(f"about[{name!r}]", point)
         return body_derivatives(self._parts, self._whole, points)
 

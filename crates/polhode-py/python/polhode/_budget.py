@@ -166,7 +166,7 @@ class Budget(NoArray, Printed):
         for case in self.configurations:
             if case.name == name:
                 return case
-        raise KeyError(f"{name!r} is none of {', '.join(str(case.name) for case in self.configurations)}")
+        raise KeyError(f"{name!r} is not one of {', '.join(str(case.name) for case in self.configurations)}")
 
     def __iter__(self) -> Iterator[BudgetCase]:
         return iter(self.configurations)
@@ -179,7 +179,7 @@ class Budget(NoArray, Printed):
         """The single configuration of a list that has exactly one."""
         if len(self.configurations) != 1:
             names = ", ".join(repr(case.name) for case in self.configurations)
-            raise PolhodeError(f"there are several configurations: {names}", 'name one, as in result["NAME"]')
+            raise PolhodeError(f"there are several configurations: {names}", 'choose one by its name, as in result["NAME"]')
         return self.configurations[0]
 
     @property
@@ -306,7 +306,7 @@ def budget(
     }
     if isinstance(parts, (str, os.PathLike)):
         if plan is not None:
-            raise PolhodeError("a plan goes with a table; a file has its own", "write it into the head of the CSV")
+            raise PolhodeError("plan is only for a table: a file contains its own plan", "write the plan into the head of the CSV file")
         if isinstance(parts, str) and "\n" in parts:
             answer = _native.budget_list("parts.csv", _arrays.text("parts", parts), None, asked)
         else:

@@ -47,18 +47,18 @@ class Watch:
         waited = now - self._alone
         if self._timeout is not None and waited >= self._timeout:
             raise TimeoutError(
-                f"{self.on} has had no worker for {waited:.0f} s; what is done is kept: start workers, and go on with resume"
+                f"{self.on} has had no worker for {waited:.0f} s; finished parts are saved: start workers, and continue with resume=True"
             )
         if now - self._said >= REMIND:
             self._said = now
-            until = "for as long as it takes" if self._timeout is None else f"for {self._timeout:.0f} s at most"
-            since = f", for {waited:.0f} s by now" if waited >= LOOK else ""
+            until = "without a time limit" if self._timeout is None else f"at most {self._timeout:.0f} s"
+            since = f" (for {waited:.0f} s so far)" if waited >= LOOK else ""
             warn(f"{self.on} has no worker{since}: waiting for one {until}")
 
 
 def lost(on: str, why: str) -> ConnectionError:
     """Returns the error for a cluster whose connection is lost."""
-    return ConnectionError(f"{on} was lost on the way: {why}; what is done is kept: go on with resume")
+    return ConnectionError(f"the connection to {on} was lost: {why}; finished parts are saved: continue with resume=True")
 
 
 def in_words(on: str, parts: Iterator[Part]) -> Iterator[Part]:
@@ -73,6 +73,6 @@ def in_words(on: str, parts: Iterator[Part]) -> Iterator[Part]:
         except Exception as error:
             raise PolhodeError(
                 f"{on} cannot compute the plan: {type(error).__name__}: {error}",
-                "what is done is kept; every worker needs polhode in the same version, and memory for a part",
+                "finished parts are saved; every worker needs the same version of polhode, and memory for one part",
             ) from error
         yield part

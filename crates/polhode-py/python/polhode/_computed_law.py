@@ -75,8 +75,8 @@ def computed_of_many(law: Any) -> Callable[..., Floats]:
             # shape.
             alone = rows(last)
             if np.isfinite(found).all() and not np.abs(alone - found[-1:]).max() <= ALONE * np.abs(found).max():
-                rule = "members do not know of each other, so it is a function of each row"
-                raise PolhodeError(f"the torque of member {state.member[-1]} is {alone[0]} alone and {found[-1]} beside others: {rule}")
+                rule = "the torque of a member must not depend on other members"
+                raise PolhodeError(f"the torque of member {state.member[-1]} is {alone[0]} alone and {found[-1]} among others: {rule}")
             is_known = True
         return found
 

@@ -179,10 +179,10 @@ class Derivatives(Record):
         given = [name for name, value, _, _ in blocks if value is not None]
         if joint is not None:
             if given:
-                raise PolhodeError(f"joint has all numbers in it: give it, or {' and '.join(given)}")
+                raise PolhodeError(f"joint contains all numbers: give either joint or {' and '.join(given)}")
             together = symmetric("joint", joint, 12 + count)
         elif not given:
-            raise PolhodeError("a covariance is needed: start, inertia, parameters, or joint")
+            raise PolhodeError("no covariance is given: give start, inertia, parameters or joint")
         else:
             together = np.zeros((12 + count, 12 + count))
             for name, value, first, size in blocks:
@@ -203,10 +203,10 @@ def symmetric(name: str, value: npt.ArrayLike, size: int) -> Floats:
     _units.without(name, value)
     matrix = _arrays.numbers(name, value, (size, size))
     diagonal = np.diag(matrix)
-    _arrays.refuse(f"the diagonal of {name}", diagonal, diagonal < 0.0, "zero or positive: it has variances")
+    _arrays.refuse(f"the diagonal of {name}", diagonal, diagonal < 0.0, "at least 0: it contains variances")
     bound = np.sqrt(np.outer(diagonal, diagonal))
-    _arrays.refuse(name, matrix, np.abs(matrix - matrix.T) > 1e-12 * bound, "that of the other side of the diagonal")
-    _arrays.refuse(name, matrix, np.abs(matrix) > (1.0 + 1e-12) * bound, "no more than the root of the two variances' product")
+    _arrays.refuse(name, matrix, np.abs(matrix - matrix.T) > 1e-12 * bound, "equal to the element on the other side of the diagonal")
+    _arrays.refuse(name, matrix, np.abs(matrix) > (1.0 + 1e-12) * bound, "at most the square root of the product of the two variances")
     return matrix
 
 

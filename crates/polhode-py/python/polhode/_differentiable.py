@@ -147,8 +147,8 @@ class Function:
 
 def no_second_derivatives(name: str) -> PolhodeError:
     """Returns the error for a request for second derivatives."""
-    hint = "an optimiser that needs a Hessian may have J^T J of residuals (Gauss-Newton), or differences of gradients"
-    return PolhodeError(f"{name} has first derivatives only: second ones are not known, and would not be zero", hint)
+    hint = "for an optimizer that needs a Hessian, use J^T J of the residuals (Gauss-Newton) or finite differences of gradients"
+    return PolhodeError(f"{name} has only first derivatives: second derivatives are not available (they are not zero)", hint)
 
 
 def half_turn(quaternion: Floats) -> Floats:

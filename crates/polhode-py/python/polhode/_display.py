@@ -19,7 +19,7 @@ from typing import Any
 
 from . import _native
 
-_FALLBACK = "A motion in three dimensions. It is shown where this notebook is trusted and scripts run: in Jupyter by “Trust Notebook”, and on pages that nbconvert makes."
+_FALLBACK = "An interactive 3-D motion. It is shown if this notebook is trusted and scripts run: in Jupyter after “Trust Notebook”, and on pages from nbconvert."
 
 
 @cache

@@ -120,7 +120,7 @@ class Ensemble:
         orbit: Orbit | Sequence[Orbit] | None = None,
     ) -> None:
         if sum(given is not None for given in (body, moments, inertia)) != 1:
-            raise PolhodeError("bodies are given by body, by moments or by inertia, exactly one of them")
+            raise PolhodeError("give exactly one of body, moments and inertia")
         given = {"omega": _each("omega", omega, (3,)), "attitude": _each("attitude", attitude, (4,))}
         if body is not None or _is_of_bodies(inertia):
             name = "inertia" if body is None else "body"
@@ -136,7 +136,7 @@ class Ensemble:
         counts = {name: count for name, count in (rows | self._actions.counts()).items() if count != 1}
         if len(set(counts.values())) > 1:
             said = ", ".join(f"{name} has {count}" for name, count in counts.items())
-            raise PolhodeError(f"{said}: there must be as many of each as members, or one for all")
+            raise PolhodeError(f"{said}: give one for each member, or one for all")
         # Copies for pickling, because the caller may change the originals.
         self._arguments = {name: rows.copy() for name, rows in given.items()}
         self._count = next(iter(counts.values()), 1)
@@ -234,7 +234,7 @@ class Ensemble:
         states = EnsembleStates(asked.copy(), rows, [Failure(*failure) for failure in failures], [Stop(*stop) for stop in stops], found)
         if states.failures:
             first = states.failures[0]
-            message = f"{len(failures)} of {len(self)} members cannot go on, the first is {first.member}: {first.cause}"
+            message = f"{len(failures)} of {len(self)} members failed; the first is {first.member}: {first.cause}"
             warn(message)
         return states
 
@@ -315,7 +315,7 @@ def _bodies(name: str, value: object) -> list[MassProperties]:
             raise TypeError(f"{name}[{k}] must be mass properties, not {_arrays.kind_of(one)}")
         found.append(one)
     if not found:
-        raise PolhodeError(f"{name} is an empty list: there must be a body")
+        raise PolhodeError(f"{name} is an empty list: at least one body is required")
     return found
 
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 #: Description of the time of a state.
-REACHED = "time, that of the event that stopped the member, or the last good one of a member that could go no further"
+REACHED = "time; after an event that stopped the member, the time of the event; after a failure, the last valid time"
 
 
 class Failure(NamedTuple):
@@ -175,7 +175,7 @@ class EnsembleStates(Table):
         along = ("member", "time")
         return [
             Variable("member", ("member",), "1", "the member, from 0", np.arange(len(self))),
-            Variable("time", ("time",), "s", "the time that was asked for", self.times.copy()),
+            Variable("time", ("time",), "s", "requested time", self.times.copy()),
             Variable("reached", along, "s", REACHED, self.reached.copy()),
             Variable("omega", (*along, "axis"), "rad/s", OMEGA, self.omega.copy()),
             Variable("attitude", (*along, "component"), "1", ATTITUDE, self.attitude.copy()),

@@ -70,7 +70,7 @@ class Estimate(Record):
     def __getitem__(self, name: str) -> Number:
         """Returns the number of this name."""
         if name not in self.names:
-            raise KeyError(f"{name!r} is none of {', '.join(self.names)}")
+            raise KeyError(f"{name!r} is not one of {', '.join(self.names)}")
         k = self.names.index(name)
         sd = float(self.sd[k])
         reason = self.reasons[k] if self.reasons else None

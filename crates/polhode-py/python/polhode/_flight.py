@@ -55,7 +55,7 @@ class Flight(Record):
             at = times if self.attitude_times is None else _arrays.numbers("attitude_times", self.attitude_times, ("n",))
             as_long("attitude_times" if self.attitude_times is not None else "times", at, "attitude", attitude)
         elif self.attitude_times is not None:
-            raise PolhodeError("attitude_times mean nothing without attitude")
+            raise PolhodeError("attitude_times have no effect without attitude")
         if len(gyro) or self.attitude is None:
             as_long("times", times, "gyro", gyro)
         for what, when in (("times", times), ("attitude_times", at)):

@@ -79,9 +79,9 @@ class FreeMotion:
         wxyz = IDENTITY if attitude is IDENTITY or attitude is None else _arrays.quaternion("attitude", attitude)
         unphysical = allow_unphysical is not False and _arrays.truth("allow_unphysical", allow_unphysical)
         if (moments is None) == (inertia is None):
-            raise PolhodeError("a body is given by moments or by inertia, exactly one of them")
+            raise PolhodeError("give exactly one of moments and inertia")
         if unphysical and moments is None:
-            raise PolhodeError("allow_unphysical = True means nothing for inertia: it is for moments")
+            raise PolhodeError("allow_unphysical = True has no effect on inertia: use it with moments")
         along, tensor = None, None
         if moments is not None:
             along = _arrays.triple("moments", moments)
@@ -205,7 +205,7 @@ class FreeMotion:
             raise PolhodeError(f"times must have the shape (n,) or be a number, not {shape}")
         if not shape:
             if out is not None:
-                raise PolhodeError("out is for several times: a single one has no arrays to fill")
+                raise PolhodeError("out needs several times: a single time has no arrays to fill")
             return States(given.copy(), *self._native.at_time(_arrays.number("times", given)))
         try:
             if out is not None:
@@ -416,6 +416,6 @@ def _filled(out: object, times: Floats) -> None:
             raise PolhodeError(f"{name} must be C-contiguous, aligned and writeable")
         # For contiguous arrays, the bounds of the memory are sufficient.
         if np.may_share_memory(array, times):
-            raise PolhodeError("out shares memory with times", "give arrays of their own: the times are read while these are filled")
+            raise PolhodeError("out shares memory with times", "give separate arrays: the times are read while these are filled")
     if np.may_share_memory(out[0], out[1]):
         raise PolhodeError("out[0] and out[1] must not share memory")

@@ -45,7 +45,7 @@ class Identified(Printed):
         return repr(self.estimate)
 
     def __repr__(self) -> str:
-        odd = ", what is left is no noise" if self.has_model_error else ""
+        odd = ", the residuals are not noise" if self.has_model_error else ""
         return f"{type(self).__name__}({self.title!r}: {self._summary()}{odd})"
 
 
@@ -148,7 +148,7 @@ class SwingResult(Identified):
         return _body(self._body)
 
     def _summary(self) -> str:
-        known = "the whole tensor is not known" if self.principal is None else self.principal.ratios_in_words()
+        known = "the tensor is only partly known" if self.principal is None else self.principal.ratios_in_words()
         return f"{counted(len(self.swings), 'test')}, {known}"
 
 

@@ -347,16 +347,16 @@ def identify_payload(
         down = np.zeros((len(when), 3))
     else:
         if down.shape == (3,):
-            hint = "give attitude too, or gravity (n, 3) along the sensor's axes"
-            raise PolhodeError("gravity of the shape (3,) is along axes of space, and there are no attitudes", hint)
+            hint = "also give attitude, or give gravity (n, 3) along the sensor's axes"
+            raise PolhodeError("gravity of shape (3,) is along space axes, but no attitudes are given", hint)
         down = _arrays.numbers("gravity", down, ("n", 3))
         as_long("times", when, "gravity", down)
     if (force_noise is None) != (torque_noise is None):
-        raise PolhodeError("force_noise and torque_noise are given both, or neither")
+        raise PolhodeError("give both force_noise and torque_noise, or neither")
     noise = None
     if force_noise is not None and torque_noise is not None:
         if wrench_covariance is not None:
-            raise PolhodeError("wrench_covariance has all of the noise in it: give it, or force_noise and torque_noise")
+            raise PolhodeError("wrench_covariance contains all the noise: give either it, or force_noise and torque_noise")
         noise = [_arrays.positive("force_noise", force_noise), _arrays.positive("torque_noise", torque_noise)]
     covariance = None if wrench_covariance is None else _arrays.numbers("wrench_covariance", wrench_covariance, (6, 6)).tolist()
     moving = {"omega_noise": omega_noise, "alpha_noise": alpha_noise, "acceleration_noise": acceleration_noise}

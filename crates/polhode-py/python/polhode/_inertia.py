@@ -198,14 +198,14 @@ def inertia(
         "joints": joints,
     }
     if (unit is not None or _source.unit_of(source) is not None) and _source.has_units_of_length(source):
-        raise PolhodeError("a unit is given twice: the vertices have one of their own, by which they are converted")
+        raise PolhodeError("unit is given, but the vertices already have a unit: omit unit")
     mesh = _source.mesh_of(source)
     kind = None if kind is None else _arrays.choice("kind", kind, list(_OPTIONS))
     if format is not None and not hasattr(source, "read"):
-        raise PolhodeError("format is for open files: a path has its ending, and arrays are a mesh")
+        raise PolhodeError("format is only for open files: a path has its extension, and arrays are a mesh")
     if mesh is not None:
         if kind not in (None, "mesh"):
-            raise PolhodeError(f"kind = {kind!r} means nothing for arrays, which are a mesh")
+            raise PolhodeError(f"kind = {kind!r} has no effect on arrays, which are a mesh")
         _refuse_options("mesh", "the source", options)
         options["unit"] = _source.unit_of(source) if unit is None else unit
         return _read("mesh", None, mesh, options)._heard()
@@ -228,14 +228,14 @@ def _kind(path: str, kind: str | None) -> str:
         endings = [f".{ending}" for ending, known in _KINDS.items() if known == kind]
         if f".{_ending(path)}" not in endings:
             words, _ = _OPTIONS[kind]
-            raise PolhodeError(f"{path} does not say by its ending which format of {words} it is", f"known are {' '.join(endings)}")
+            raise PolhodeError(f"the extension of {path} is not a known format of {words}", f"known extensions: {' '.join(endings)}")
     if kind is not None:
         return kind
     ending = _ending(path)
     if ending in ("sdf", "xml", "world") and _native.is_robot(path):
         return "robot"
     if ending not in _KINDS:
-        raise PolhodeError(f"{path} has an unknown file extension", f"say what it is by kind: {', '.join(_OPTIONS)}")
+        raise PolhodeError(f"{path} has an unknown file extension", f"choose its kind by kind, one of {', '.join(_OPTIONS)}")
     return _KINDS[ending]
 
 
@@ -247,24 +247,24 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
     words, known = _OPTIONS[kind]
     for name, value in options.items():
         if value is not None and name not in known:
-            hint = f"it may have {', '.join(sorted(known))}" if known else "it says all of it itself"
-            raise PolhodeError(f"{name} means nothing for {path}, which is {words}", hint)
+            hint = f"allowed: {', '.join(sorted(known))}" if known else "omit it: the file contains everything"
+            raise PolhodeError(f"{name} has no effect on {path}, which is {words}", hint)
     if options["field"] is not None:
         for other in ("density", "mass", "material", "parts", "shell", "union"):
             if options[other] is not None:
-                raise PolhodeError(f"field and {other} are both given: the formula is the density of the solid, all of it")
+                raise PolhodeError(f"field and {other} are both given: the formula is the density of the whole solid")
     elif options["tolerance"] is not None:
-        raise PolhodeError("tolerance means nothing without field")
+        raise PolhodeError("tolerance has no effect without field")
     if options["parts"] is not None and options["union"]:
-        raise PolhodeError("parts and union are both given: where parts overlap, the body would be made of two things")
+        raise PolhodeError("parts and union are both given: where parts overlap, the density would be ambiguous")
     for whole in ("hull", "shell"):
         for mend in ("weld", "fill"):
             if options[whole] is not None and options[mend] is not None:
-                raise PolhodeError(f"{whole} and {mend} are both given: a hull or a sheet is of any mesh, mended or not")
+                raise PolhodeError(f"{whole} and {mend} are both given: a hull or a sheet does not need a closed mesh")
     if options["shell"] is not None and options["union"]:
-        raise PolhodeError("shell and union are both given: a sheet is along the surface as it is")
+        raise PolhodeError("shell and union are both given: a sheet follows the surface as it is")
     if options["hull"] is not None and options["shell"] is not None:
-        raise PolhodeError("hull and shell are both given: a mesh is taken as its convex hull, or as a sheet")
+        raise PolhodeError("hull and shell are both given: use either the convex hull or a sheet")
 
 
 def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) -> MassProperties:
@@ -318,16 +318,16 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
     link, subtree = (None if options[name] is None else _arrays.text(name, options[name]) for name in ("link", "subtree"))
     joints = positions(options["joints"])
     if link is not None and joints:
-        raise PolhodeError("link and joints are both given: a link in its own frame does not know of its joints")
+        raise PolhodeError("link and joints are both given: joint values have no effect on a link in its own frame")
     if link is not None and subtree is not None:
-        raise PolhodeError("link and subtree are both given: a link is taken alone, or with all that hangs from it")
+        raise PolhodeError("link and subtree are both given: use either a single link, or a link with its descendants")
     return MassProperties._of(_native.robot_file(path, link, subtree, joints))
 
 
 def _molecule(path: str, isotopes: str | None, which: int | None) -> MassProperties:
     molecules = _native.molecule_file(path, isotopes == "average")
     if which is None and len(molecules) > 1:
-        raise PolhodeError(f"{path} holds {len(molecules)} molecules", "say which by molecule, from 0")
+        raise PolhodeError(f"{path} contains {len(molecules)} molecules", "choose one by molecule, from 0")
     which = None if which is None else _arrays.count("molecule", which, 0)
     if which is not None and which >= len(molecules):
         raise PolhodeError(f"molecule = {which} must be from 0 to {len(molecules) - 1}")

@@ -113,16 +113,16 @@ def judge(
     if run is not None:
         given = [name for name, value in arrays.items() if value is not None]
         if given:
-            raise PolhodeError(f"{' and '.join(given)} mean nothing for a log: give run, or times and attitude")
+            raise PolhodeError(f"{' and '.join(given)} have no effect on a log: give either run, or times and attitude")
         told = None if columns is None else _arrays.text("columns", columns)
         judged = _native.judge_file(path, text, _arrays.path("run", run), told, said)
     else:
         if times is None or attitude is None:
-            raise PolhodeError("a run is a log, or times and attitude, both of them")
+            raise PolhodeError("give either run, or both times and attitude")
         if columns is not None:
-            raise PolhodeError("columns mean nothing for arrays: they are of a log")
+            raise PolhodeError("columns have no effect on arrays: they describe a log")
         if omega is None and omega_axes is not None:
-            raise PolhodeError("omega_axes mean nothing without omega")
+            raise PolhodeError("omega_axes has no effect without omega")
         rates = None if omega is None else _arrays.numbers("omega", omega, ("n", 3))
         judged = _native.judge_arrays(path, text, _arrays.numbers("times", times, ("n",)), _attitudes(attitude, said), rates, said)
     warn_of_scenario(findings_of(judged["findings"]))
@@ -134,14 +134,14 @@ def _attitudes(attitude: Any, said: _native.Said) -> Floats:
     the conventions that are certain."""
     if hasattr(attitude, "as_quat"):
         if said["quaternion"] is not None:
-            raise PolhodeError("quaternion means nothing for a Rotation, whose order is known")
+            raise PolhodeError("quaternion has no effect on a Rotation, whose order is known")
         said["quaternion"] = "xyzw"
         said["sense"] = said["sense"] or "body_to_space"
         return _arrays.numbers("attitude", attitude.as_quat(), ("n", 4))
     given = _arrays.real("attitude", attitude)
     if given.ndim == 3:
         if said["quaternion"] is not None:
-            raise PolhodeError("quaternion means nothing for matrices")
+            raise PolhodeError("quaternion has no effect on matrices")
         return _arrays.numbers("attitude", given, ("n", 3, 3)).reshape(-1, 9)
     if given.ndim != 2 or given.shape[1] != 4:
         raise PolhodeError(f"attitude must have the shape (n, 4), or (n, 3, 3) for matrices, not {given.shape}")

@@ -323,7 +323,7 @@ class Judgement:
 
     def __repr__(self) -> str:
         if self.is_exact:
-            return f"Judgement({len(self)} rows, right to {self.exact_to:.1e} rad)"
+            return f"Judgement({len(self)} rows, correct to {self.exact_to:.1e} rad)"
         cause = "no cause found" if self.likeliest is None else self.likeliest.id
         return f"Judgement({len(self)} rows, up to {self.largest_attitude_error:.1e} rad off, {cause})"
 

@@ -77,7 +77,7 @@ def knobs_of(scenario: Scenario, asked: Knobs | None) -> list[dict[str, Any]]:
         if key not in there:
             raise PolhodeError(f"knobs: the scenario has no number {name}", _near(key, list(there)))
         if key in found:
-            raise PolhodeError(f"knobs: {name} is there twice")
+            raise PolhodeError(f"knobs: {name} is given twice")
         found[key] = _knob(there[key], _given(name, ends))
     if not found:
         raise PolhodeError("knobs must have at least one key")
@@ -102,7 +102,7 @@ def _knob(knob: Mapping[str, Any], given: Knob) -> dict[str, Any]:
     if not low < high:
         raise PolhodeError(f"knobs: low = {low:g} of {knob['key']} must be less than high = {high:g}")
     if not low <= value <= high:
-        raise PolhodeError(f"knobs: {knob['key']} is {value:g} {unit}".rstrip() + f", which is not from {low:g} to {high:g}", "the ends are in the number's own unit")
+        raise PolhodeError(f"knobs: {knob['key']} is {value:g} {unit}".rstrip() + f", which is not from {low:g} to {high:g}", "give low and high in the unit of the number")
     return {
         "key": knob["key"],
         "label": given.label or knob["label"],
@@ -138,7 +138,7 @@ def _near(key: str, there: list[str]) -> str:
     near = difflib.get_close_matches(key, there, 3, 0.5)
     if near:
         return f"did you mean {' or '.join(near)}?"
-    return f"it has {', '.join(there[:12])}{', …' if len(there) > 12 else ''}"
+    return f"known: {', '.join(there[:12])}{', …' if len(there) > 12 else ''}"
 
 
 def with_values(scenario: Scenario, knobs: Sequence[Mapping[str, Any]], values: Mapping[str, float]) -> Scenario:

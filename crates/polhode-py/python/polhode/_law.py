@@ -28,7 +28,7 @@ class Symbol:
 
     def __init__(self, text: str, holds: int = _NAME) -> None:
         if len(text) > LONGEST:
-            rule = f"at most {LONGEST} characters: what is used several times is written as often"
+            rule = f"at most {LONGEST} characters: an expression that is used several times is repeated in the formula"
             raise PolhodeError(f"the formula of this function is too long, which must have {rule}")
         self.text = text
         self._holds = holds
@@ -105,25 +105,25 @@ class Symbol:
         return self._join(other, ">=", _COMPARISON)
 
     def __eq__(self, other: object) -> NoReturn:
-        raise TypeError("a law compares a symbol for equality, which is never known: compare with < or >")
+        raise TypeError("a law compares a symbol for equality, but its value is unknown when the law is traced: compare with < or >")
 
     def __ne__(self, other: object) -> NoReturn:
-        raise TypeError("a law compares a symbol for equality, which is never known: compare with < or >")
+        raise TypeError("a law compares a symbol for equality, but its value is unknown when the law is traced: compare with < or >")
 
     __hash__ = object.__hash__
 
     def __bool__(self) -> NoReturn:
         raise TypeError(
-            "a law branches on a symbol, whose value is not known when it is traced: choose by polhode.scenario.where(condition, then, otherwise)"
+            "a law branches on a symbol, whose value is unknown when the law is traced: use polhode.scenario.where(condition, then, otherwise)"
         )
 
     def __float__(self) -> NoReturn:
-        raise TypeError("a law makes a number of a symbol, whose value is not known when it is traced: use NumPy's functions, not those of math")
+        raise TypeError("a law converts a symbol to a number, but its value is unknown when the law is traced: use NumPy's functions, not those of math")
 
     __int__ = __index__ = __complex__ = __float__
 
     def __iter__(self) -> NoReturn:
-        raise TypeError("a symbol is one number, and has no elements")
+        raise TypeError("a symbol is a single number and has no elements")
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
         return _applied(ufunc, method, inputs, options)
@@ -236,13 +236,13 @@ def _applied(ufunc: np.ufunc, method: str, inputs: tuple[Any, ...], options: dic
         return _unwrapped(np.matmul(*(np.asarray(one, dtype=object) for one in inputs)))
     function = _FUNCTIONS.get(ufunc)
     if function is None or set(options) - {"axis", "keepdims"}:
-        raise TypeError(f"a law cannot have np.{ufunc.__name__} of a symbol: formulas have no such function")
+        raise TypeError(f"a law cannot use np.{ufunc.__name__} on a symbol: formulas do not have this function")
 
     def of(*values: Any) -> Symbol:
         given = [_symbol(value) for value in values]
         for value, one in zip(values, given):
             if one is None:
-                raise TypeError(f"a law has {type(value).__name__} among its numbers")
+                raise TypeError(f"a law uses {type(value).__name__} as a number")
         return function(*given)  # type: ignore[no-any-return]
 
     if method == "__call__":
@@ -253,7 +253,7 @@ def _applied(ufunc: np.ufunc, method: str, inputs: tuple[Any, ...], options: dic
         axis = options.get("axis", 0)
         rows = rows.reshape(-1) if axis is None else np.moveaxis(rows, axis, 0)
         return _unwrapped(reduce(np.frompyfunc(of, 2, 1), rows))
-    raise TypeError(f"a law cannot have np.{ufunc.__name__}.{method} of symbols")
+    raise TypeError(f"a law cannot use np.{ufunc.__name__}.{method} on symbols")
 
 
 def _unwrapped(found: Any) -> Any:
@@ -320,8 +320,8 @@ def asked(law: Any, *, vectorized: bool = False) -> list[str]:
     ]
     unknown = [name for name in needed if name not in known]
     if unknown:
-        hint = f"its parameters are among {', '.join(known)}; what else it depends on gets a default"
-        raise PolhodeError(f"a law has the parameter {unknown[0]}, which is nothing of the state", hint)
+        hint = f"use parameters from {', '.join(known)}; give other parameters a default value"
+        raise PolhodeError(f"a law has the parameter {unknown[0]}, which is not part of the state", hint)
     return needed
 
 

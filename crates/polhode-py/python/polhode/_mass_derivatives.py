@@ -299,7 +299,7 @@ def mesh_derivatives(
     if not isinstance(mesh, tuple):
         raise TypeError(f"mesh must be the tuple (vertices, triangles), not {type(mesh).__name__}")
     if len(mesh) != 2:
-        raise PolhodeError(f"mesh is a tuple of {len(mesh)}: it is (vertices, triangles)")
+        raise PolhodeError(f"mesh is a tuple of {len(mesh)}, but must be (vertices, triangles)")
     substance = given(density=density, mass=mass, material=material)
     vertices, triangles = _arrays.mesh(*mesh)
     # Copies, because the caller may change the originals.

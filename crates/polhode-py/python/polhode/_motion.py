@@ -215,8 +215,8 @@ class Motion(Table):
         asked = _arrays.numbers("times", np.atleast_1d(given), ("n",))
         first, last = float(self._columns["time_s"].values[0]), float(self._columns["time_s"].values[-1])
         if self._continued:
-            _arrays.refuse("times", asked, asked < first, f"at least {first}, where this motion goes on from another")
-        _arrays.refuse("times", asked, asked > last, f"at most {last}, the motion's last time: simulate has times for more")
+            _arrays.refuse("times", asked, asked < first, f"at least {first}, where this motion continues another one")
+        _arrays.refuse("times", asked, asked > last, f"at most {last}, the last time of the motion; for later times, use the argument times of simulate")
         states = States(asked.copy(), *self._computed().at(asked))
         return states[0] if given.ndim == 0 else states
 
@@ -326,14 +326,14 @@ class Motion(Table):
         """Returns the computed motion of Rust; a copy computes it again."""
         if "_native" not in vars(self):
             if self._has_functions:
-                raise PolhodeError("this copy of a motion has no functions of Python, of which its torques or events were", "ask the motion itself")
+                raise PolhodeError("this copy of a motion does not contain the Python functions of its torques or events", "use the original motion")
             again = _native.simulate(*self._source, self._sampled, "none", None, ([], []))
             for times in self._continued:
                 again = again.after(times, "none")
             there = {name: values for name, _, _, values in again.columns()}
             # The errors are not estimated again.
             if not all(same(there.get(name), self._columns[name].values) for name in _STATE):
-                message = "the motion is another one when its scenario is read again: a file that it names has changed"
+                message = "reading the scenario again gives a different motion: one of its files has changed"
                 raise PolhodeError(message, "simulate it again")
             self._native = again
         return self._native

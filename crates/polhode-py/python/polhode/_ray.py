@@ -38,10 +38,10 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
             # The message is a traceback of Ray's proxy, which starts a server for each client.
             why = str(error).strip().splitlines()[-1]
             hint = "start its head with GRPC_ENABLE_FORK_SUPPORT=0 in the environment, and try again"
-            raise ConnectionError(f"{on} starts no server for this client: {why}; {hint}") from error
+            raise ConnectionError(f"{on} did not start a server for this client: {why}; {hint}") from error
         except ConnectionError as error:
             # Ray gives the same message if the client has no token and the head refuses its calls.
-            hint = "is its port for clients open, and if it wants a token, is RAY_AUTH_MODE=token set here?"
+            hint = "check that its client port is open and, if it requires a token, that RAY_AUTH_MODE=token is set here"
             raise ConnectionError(f"{on} does not answer: {error}; {hint}") from error
     try:
         remote: Any = ray.remote(num_cpus=1, max_retries=LOST_WORKERS)(compute)

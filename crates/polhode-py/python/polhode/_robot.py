@@ -99,7 +99,7 @@ class LinkTable(NoArray):
     It is a sequence of ``rows``.
     """
 
-    _instead = "to_csv() gives its table, which pandas.read_csv reads, and rows its links"
+    _instead = "use to_csv() with pandas.read_csv, or rows"
 
     def __init__(self, path: str, table: dict[str, Any], text: str, csv: str, findings: list[Finding]) -> None:
         self.path = path
@@ -148,7 +148,7 @@ class LinkTable(NoArray):
             for row in self:
                 if row.link == which:
                     return row
-            raise KeyError(f"{which!r} is none of {', '.join(row.link for row in self)}")
+            raise KeyError(f"{which!r} is not one of {', '.join(row.link for row in self)}")
         return self.rows[which]
 
     def __iter__(self) -> Iterator[LinkRow]:

@@ -172,7 +172,7 @@ class Scenario:
             text, path = None, _arrays.path("scenario", scenario)
             where = os.path.dirname(path) or "."
             if folder is not None:
-                raise PolhodeError("folder is where the files of a text are: those of a file are beside it")
+                raise PolhodeError("folder is only for a text: the files of a scenario file are relative to its own folder")
         tables = json.loads(_native.scenario_tables(path or os.path.join(where, "scenario.toml"), text))
         return cls._of(tables, where)
 
@@ -186,7 +186,7 @@ class Scenario:
         other = [key for key in tables if key not in known]
         if other:
             hint = "polhode.batch.Plan reads plans" if other == ["sweep"] else None
-            raise PolhodeError(f"the file has [{other[0]}], which is nothing of one scenario", hint)
+            raise PolhodeError(f"the file has [{other[0]}], which is not a table of a single scenario", hint)
         given: dict[str, Any] = {}
         for name, (key, kind) in _ONE.items():
             if key in tables:
@@ -219,9 +219,9 @@ class Scenario:
             a function, which no file can hold.
         """
         if self._functions():
-            raise PolhodeError("a FunctionTorque is a function of this program, which no file can hold", "polhode.scenario.torque makes a formula of it")
+            raise PolhodeError("a FunctionTorque is a Python function, which cannot be written into a file", "convert it to a formula by polhode.scenario.torque")
         if self._measures():
-            raise PolhodeError("an event measures a function of this program, which no file can hold", "a formula of the state can be written")
+            raise PolhodeError("an event measures a Python function, which cannot be written into a file", "use a formula of the state")
         text = self._text()
         if path is not None:
             with open(_arrays.path("path", path), "w", encoding="utf-8", newline="\n") as file:
@@ -434,7 +434,7 @@ class Scenario:
 
         Functions, which no file can hold, are listed first and replaced by zero.
         """
-        own = "".join(f"# {table}[{k}] is a function of Python, which no file can hold: zero stands in its place.\n" for table, k in self._own())
+        own = "".join(f"# {table}[{k}] is a Python function, which cannot be written into a file; zero is written instead.\n" for table, k in self._own())
         return own + self._text()
 
     def _repr_html_(self) -> str:

@@ -17,7 +17,7 @@ from ._mass_properties import MassProperties, rebuilt
 
 #: Accepted sources, for messages.
 KNOWN = (
-    "a path, an open file, a mesh as the tuple (vertices, triangles), an object that has vertices and faces, as trimesh's have, "
+    "a path, an open file, a mesh as the tuple (vertices, triangles), an object that has vertices and faces, such as a trimesh.Trimesh, "
     "or triangles (n, 3, 3)"
 )
 
@@ -42,13 +42,13 @@ def mesh_of(source: Any) -> tuple[object, object] | Floats | None:
     if isinstance(source, (tuple, list)) and len(source) == 2:
         return source[0], source[1]
     if isinstance(source, tuple):
-        raise PolhodeError(f"source is a tuple of {len(source)}: a mesh is (vertices, triangles)")
+        raise PolhodeError(f"source is a tuple of {len(source)}, but a mesh must be (vertices, triangles)")
     if isinstance(source, (list, np.ndarray)):
         corners = _arrays.numbers("source", source, ("n", 3, 3))
         if not len(corners):
             raise PolhodeError("source has no triangles")
         return corners
-    more = ": give the mesh of all of it, scene.to_mesh()" if type(source).__name__ == "Scene" else ""
+    more = ": give its whole mesh, scene.to_mesh()" if type(source).__name__ == "Scene" else ""
     raise TypeError(f"source must be {KNOWN}, not {type(source).__name__}{more}")
 
 
@@ -70,7 +70,7 @@ def read(source: Any, format: str | None, function: Callable[[str], MassProperti
     name = Path(given).name if isinstance(given, str) and given else "file"
     ending = Path(name).suffix if format is None else f".{_arrays.text('format', format).lstrip('.')}"
     if not ending:
-        raise PolhodeError("the open file has no name that says what it is", 'say how its name would end: format="stl"')
+        raise PolhodeError("the open file has no name, so its format is unknown", 'give the extension: format="stl"')
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"{Path(name).stem}{ending}"
         with open(path, "wb") as file:

@@ -121,7 +121,7 @@ def spin(
     (['long_axis'], 7.4)
     """
     if (moments is None) == (inertia is None):
-        raise PolhodeError("a body is given by moments or by inertia, exactly one of them")
+        raise PolhodeError("give exactly one of moments and inertia")
     given = ("moments", _arrays.triple("moments", moments)) if moments is not None else ("inertia", tensor_of(inertia))
     tensor = _arrays.tensor(*given)
     both = _arrays.numbers("periods", periods, (2,))

@@ -112,10 +112,10 @@ class MotionError(Table, Record):
 
     def _table(self) -> list[Column]:
         return [
-            Column("attitude_rad", "rad", "error of the computation, of the attitude", self.attitude.copy()),
-            Column("omega_relative", "1", "error of the computation, of ω, relative", self.omega.copy()),
-            Column("inputs_attitude_rad", "rad", "what the last bit of the inputs is worth, of the attitude", self.inputs_attitude.copy()),
-            Column("inputs_omega_relative", "1", "what the last bit of the inputs is worth, of ω, relative", self.inputs_omega.copy()),
+            Column("attitude_rad", "rad", "numerical error of the attitude", self.attitude.copy()),
+            Column("omega_relative", "1", "numerical error of ω, relative", self.omega.copy()),
+            Column("inputs_attitude_rad", "rad", "error of the attitude due to input rounding", self.inputs_attitude.copy()),
+            Column("inputs_omega_relative", "1", "error of ω due to input rounding, relative", self.inputs_omega.copy()),
         ]
 
     def _variables(self) -> list[Variable]:

@@ -6,6 +6,7 @@ from typing import Any
 
 from . import _native
 from ._error import PolhodeError
+from ._estimate import counted
 
 #: Unit of OpenCASCADE's lengths, m. It converts all files to millimetres.
 _UNIT = 1e-3
@@ -36,7 +37,7 @@ def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
         raise PolhodeError(f"{path} is empty", "export it again")
     reader = STEPControl_Reader()
     if reader.ReadFile(path) != IFSelect_ReturnStatus.IFSelect_RetDone:
-        raise PolhodeError(f"{path} is no STEP file that OpenCASCADE reads", "export it again, as AP203, AP214 or AP242")
+        raise PolhodeError(f"{path} is not a STEP file that OpenCASCADE can read", "export it again, as AP203, AP214 or AP242")
     named = _named(reader.StepModel(), path)
     reader.SetSystemLengthUnit(1.0)
     reader.TransferRoots()
@@ -58,24 +59,24 @@ def solids(path: str) -> tuple[list[_native.Solid], _native.Step]:
     for number, solid in enumerate(all_solids, 1):
         for shell in within(solid, Kind.TopAbs_SHELL):
             if not BRep_Tool.IsClosed_s(shell):
-                raise PolhodeError(f"{path}: solid {number} is open: one of its shells has edges of one face only", "close it in the CAD program")
+                raise PolhodeError(f"{path}: solid {number} is open: one of its shells has edges with only one face", "close it in the CAD program")
         if not BRepCheck_Analyzer(solid).IsValid():
             invalid.append(number)
         body, apart = _measured(solid)
         if not body["volume"] > 0.0:
-            raise PolhodeError(f"{path}: solid {number} has the volume {body['volume']:.3g} m³", "its faces look inward: export it again")
+            raise PolhodeError(f"{path}: solid {number} has the volume {body['volume']:.3g} m³", "its faces point inward: export it again")
         body["name"] = f"solid {number}" if len(all_solids) > 1 else ""
         bodies.append(body)
         worst = max(worst, apart)
     left_out = len(within(shape, Kind.TopAbs_SHELL, Kind.TopAbs_SOLID)) + len(within(shape, Kind.TopAbs_FACE, Kind.TopAbs_SHELL))
     if not bodies:
-        raise PolhodeError(f"{path} has no solid, but {left_out} surfaces", "close them to a solid in the CAD program")
+        raise PolhodeError(f"{path} has no solid, only {counted(left_out, 'surface')}", "join them into a closed solid in the CAD program")
     # A solid that occurs at several places counts once.
     different = 0
     for number, solid in enumerate(all_solids):
         different += not any(solid.IsPartner(other) for other in all_solids[:number])
     if different < named:
-        raise PolhodeError(f"{path} names {named} solids, and OpenCASCADE reads {different} of them", _AGAIN)
+        raise PolhodeError(f"{path} has {named} solids, but OpenCASCADE reads only {different}", _AGAIN)
     return bodies, {"left_out": left_out, "invalid": invalid, "error": worst}
 
 
@@ -93,7 +94,7 @@ _SHAPES = (
     "StepRepr_NextAssemblyUsageOccurrence",
 )
 
-_AGAIN = "the file is damaged, or has what OpenCASCADE does not know: export it again, as AP203, AP214 or AP242"
+_AGAIN = "the file is damaged, or has content that OpenCASCADE does not support: export it again, as AP203, AP214 or AP242"
 
 
 def _named(model: Any, path: str) -> int:
@@ -112,7 +113,7 @@ def _named(model: Any, path: str) -> int:
         if entity.IsKind("StepShape_ShapeRepresentation"):
             context = entity.ContextOfItems()
             if context is None or "Unit" not in context.DynamicType().Name():
-                raise PolhodeError(f"{path} says no unit of length of a shape", "export it again with its unit")
+                raise PolhodeError(f"{path} has a shape without a unit of length", "export it again with its unit")
         check = model.Check(number, True)
         if check.NbFails():
             raise PolhodeError(f"{path}: OpenCASCADE cannot read entity {number}, {name.partition('_')[2]}: {check.CFail(1)}", _AGAIN)

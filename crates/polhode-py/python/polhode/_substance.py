@@ -42,7 +42,7 @@ def of_parts(parts: object) -> list[tuple[str, Given]]:
     """Checks the substances of parts of a mesh by name: a material, or a dictionary with a density,
     a mass or a material."""
     if not isinstance(parts, (Mapping, type(None))):
-        raise TypeError(f"parts must be a dict of what parts are made of by their names, not {type(parts).__name__}")
+        raise TypeError(f"parts must be a dict from part names to materials, not {type(parts).__name__}")
     made: list[tuple[str, Given]] = []
     for name, what in (parts or {}).items():
         place = f"parts[{_arrays.text('the name of a part', name)!r}]"

@@ -69,7 +69,7 @@ class Table(NoArray):
 
     __slots__ = ()
 
-    _instead = "to_pandas() gives its DataFrame, and columns() its arrays by name"
+    _instead = "use to_pandas() for a DataFrame, or columns() for arrays by name"
 
     def _table(self) -> list[Column]:
         """Returns the columns, with values that no other object shares."""

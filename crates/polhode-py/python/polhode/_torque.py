@@ -73,11 +73,11 @@ class RequiredTorque(Table, Record):
         variables = [
             Variable("time", along, "s", "time", self.times.copy()),
             Variable("omega", (*along, "axis"), "rad/s", "angular velocity, along body axes", self.omega.copy()),
-            Variable("acceleration", (*along, "axis"), "rad/s²", "its rate, along body axes", self.acceleration.copy()),
+            Variable("acceleration", (*along, "axis"), "rad/s²", "rate of change of the angular velocity, along body axes", self.acceleration.copy()),
             Variable("torque", (*along, "axis"), "N·m", "torque along body axes", self.torque.copy()),
             Variable("torque_space", (*along, "axis"), "N·m", "torque along space axes", self.torque_space.copy()),
             Variable("power", along, "W", "its power", self.power.copy()),
-            Variable("work", along, "J", "its work since the first time", self.work.copy()),
+            Variable("work", along, "J", "work of the torque since the first time", self.work.copy()),
             Variable("forces", (*along, "point", "axis"), "N", "forces on points, along body axes", self.forces.copy()),
         ]
         if self.bearings is not None:
@@ -151,7 +151,7 @@ def torque(
            [0.96, 0.  , 0.  ]])
     """
     if (masses is None) != (positions is None):
-        raise PolhodeError("masses and positions belong together: a mass for each point")
+        raise PolhodeError("give masses and positions together, one mass for each point")
     points = np.empty((0, 4))
     if masses is not None and positions is not None:
         points = np.column_stack(checked_particles(masses, positions))

@@ -88,7 +88,7 @@ def without(name: str, value: object) -> None:
     """Refuses a quantity where a plain number is required, even if the argument's name has a
     dimension elsewhere."""
     if has_units(value):
-        raise PolhodeError(f"{name} must be {NUMBER.words}, and has a unit")
+        raise PolhodeError(f"{name} must be {NUMBER.words}, but has a unit")
 
 
 def dimension_of(name: str) -> Dimension | None:
@@ -108,14 +108,14 @@ def taken_apart(name: str, value: Any) -> tuple[Any, float, dict[str, int]]:
     try:
         given, powers = _of_pint(value) if library == "pint" else _of_astropy(value)
     except Exception as error:  # any error of the library for units that it cannot convert
-        raise TypeError(f"{name} has a unit that is none of SI's ({type(error).__name__}: {error})") from None
+        raise TypeError(f"{name} has a unit that cannot be converted to SI ({type(error).__name__}: {error})") from None
     if "Hz" in given or "hertz" in given:
-        raise PolhodeError(f"{name} is in {given}, which may be turns or radians in a second", "give rad/s, or turns in a second")
+        raise PolhodeError(f"{name} is in {given}, which can mean turns or radians per second", "give rad/s, or turns per second")
     bases: dict[str, int] = {}
     for base, power in powers.items():
         symbol = _BASE.get(base)
         if symbol is None or power != int(power):
-            raise PolhodeError(f"{name} has the unit {given}, which is no product of kg, m, s, A and rad")
+            raise PolhodeError(f"{name} has the unit {given}, which is not a product of kg, m, s, A and rad")
         bases[symbol] = int(power)
     if library == "pint":
         product = "*".join(f"{_PINT[symbol]}**{power}" for symbol, power in bases.items()) or "dimensionless"

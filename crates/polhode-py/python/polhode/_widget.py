@@ -98,7 +98,7 @@ class MotionWidget(anywidget.AnyWidget):
             raise TypeError(f"values must be a mapping from keys to numbers, not {type(values).__name__}")
         unknown = [key for key in values if key not in self.answer["values"]]
         if unknown:
-            raise PolhodeError(f"values: there is no knob {unknown[0]}", f"the knobs are {', '.join(self.answer['values'])}")
+            raise PolhodeError(f"values: unknown knob {unknown[0]}", f"known knobs: {', '.join(self.answer['values'])}")
         new = {**self.answer["values"], **{key: number(key, value) for key, value in values.items()}}
         self._show(self.answer["turn"], new)
 

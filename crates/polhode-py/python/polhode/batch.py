@@ -158,9 +158,9 @@ class Plan:
         elif not isinstance(source, (str, os.PathLike)):
             raise TypeError(f"source must be a path, a text or a Scenario, not {type(source).__name__}")
         elif len(vary) if isinstance(vary, Sequence) else True:
-            raise PolhodeError("vary is for a Scenario: a file or a text says itself what varies")
+            raise PolhodeError("vary is only for a Scenario: a file or a text contains its own")
         elif any(value is not None for value in (members, sampling, seed, replicates, questions)) or trajectories:
-            raise PolhodeError("members, sampling, seed, replicates, trajectories and questions are for a Scenario: a file or a text says them itself")
+            raise PolhodeError("members, sampling, seed, replicates, trajectories and questions are only for a Scenario: a file or a text contains its own")
         elif isinstance(source, str) and "\n" in source:
             self._native = _native.Plan.parse(_arrays.text("source", source), "plan.toml")
         else:
@@ -214,7 +214,7 @@ class Plan:
 
     def _repr_html_(self) -> str:
         """Returns a table of the variables."""
-        return f"<div>{_html.rows(['unit', 'what it is'], ((name, [unit, what]) for name, unit, what in self.variables))}<p>{self.members} members</p></div>"
+        return f"<div>{_html.rows(['unit', 'description'], ((name, [unit, what]) for name, unit, what in self.variables))}<p>{self.members} members</p></div>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         sent = self.text, os.path.abspath(self._native.path), self.digest
@@ -234,8 +234,8 @@ def _read(text: str, path: str, digest: str) -> _native.Plan:
     plan = _native.Plan.parse(text, path)
     if plan.digest != digest:
         raise PolhodeError(
-            f"the plan {path} is another one on this machine",
-            "the files that it names, and polhode's version, have to be the same everywhere",
+            f"the plan {path} is different on this machine",
+            "use the same data files and the same version of polhode on all machines",
         )
     return plan
 
@@ -311,8 +311,8 @@ def simulate(rows: Any, plan: Plan, *, threads: int | None = None) -> Any:
     results = [name for name, *_ in plan._native.simulate(none)]
     for name in rows.schema.names:
         if name in results and name not in names:
-            hint = f"rename it, or leave it out: rows.select({names})"
-            raise PolhodeError(f"rows have a column {name} already, and it is what becomes of them that is called so", hint)
+            hint = f"rename it, or drop it: rows.select({names})"
+            raise PolhodeError(f"rows already have a column {name}, which is the name of a result", hint)
     found: Any = _mapped(rows, names, plan._native.simulate, threads)
     for field, column in zip(rows.schema, rows.columns):
         if field.name not in names:
@@ -375,7 +375,7 @@ def _of_arrays(columns: Mapping[Any, Any]) -> pa.Table:
     counts = {name: len(values) for name, values in given.items() if np.ndim(values)}
     if len(set(counts.values())) > 1:
         said = ", ".join(f"{name} has {count}" for name, count in counts.items())
-        raise PolhodeError(f"{said}: rows must have as many of each, or one for all")
+        raise PolhodeError(f"{said}: give one for each row, or one for all")
     count = next(iter(counts.values()), 1)
     return pa.table({name: values if np.ndim(values) else np.full(count, values) for name, values in given.items()})
 
@@ -397,7 +397,7 @@ def _require(rows: Any, plan: Plan, names: list[str]) -> None:
     for name, unit in zip(names, ["", *(variable.unit for variable in plan.variables)]):
         found = rows.schema.get_all_field_indices(name)
         if not found:
-            raise PolhodeError(f"rows: there is no column {name}", f"a row has {', '.join(names)}")
+            raise PolhodeError(f"rows: the column {name} is missing", f"required columns: {', '.join(names)}")
         if len(found) > 1:
             raise PolhodeError(f"there are {len(found)} columns {name}")
         said = ((rows.schema.field(found[0]).metadata or {}).get(b"unit") or b"").decode(errors="replace")
@@ -424,7 +424,7 @@ def _numbers(name: str, rows: Any) -> Any:
     if not (is_whole or pa.types.is_floating(column.type) and not is_member):
         raise TypeError(f"column {name} must hold {'whole numbers' if is_member else 'numbers'}, not {column.type}")
     if column.null_count:
-        raise PolhodeError(f"column {name} has rows without a value")
+        raise PolhodeError(f"column {name} has missing values")
     array = column.to_numpy(zero_copy_only=False) if isinstance(column, pa.Array) else column.to_numpy()
     if not is_member:
         return _arrays.real(f"column {name}", array)

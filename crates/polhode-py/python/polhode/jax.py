@@ -192,7 +192,7 @@ def _given(function: Function, *given: Any) -> list[Any]:
     """Converts the arguments to arrays of one batch."""
     if not jax.config.read("jax_enable_x64"):
         hint = 'jax.config.update("jax_enable_x64", True) before the first array is made'
-        raise PolhodeError(f"{function.name} needs float64, and JAX has 32-bit numbers, which would lose half of the digits", hint)
+        raise PolhodeError(f"{function.name} needs float64, but JAX uses float32, which loses half of the digits", hint)
     arrays = [_array(name, value) for name, value in zip(function.arguments, given)]
     batch, _ = function.sizes([array.shape for array in arrays])
     own = [array.shape[array.ndim - len(letters) :] for array, letters in zip(arrays, function.arguments.values())]

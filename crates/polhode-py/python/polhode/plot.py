@@ -101,7 +101,7 @@ def polhode(motion: FreeMotion, *, ax: Axes | None = None) -> Figure:
 
 def _computed(motion: Motion) -> None:
     if not isinstance(motion, Motion):
-        free = ": of a free motion it is constant" if isinstance(motion, FreeMotion) else ""
+        free = ": in a free motion it is constant" if isinstance(motion, FreeMotion) else ""
         raise TypeError(f"motion must be a Motion, not {type(motion).__name__}{free}")
 
 
@@ -109,7 +109,7 @@ def _sampled(motion: FreeMotion | Motion, times: npt.ArrayLike | None) -> tuple[
     """Returns times, angular velocities and attitudes."""
     if isinstance(motion, Motion):
         if times is not None:
-            raise PolhodeError("times are for a free motion: a computed one has its own")
+            raise PolhodeError("times are only for a FreeMotion: a Motion has its own times")
         return motion.times, motion.omega, motion.attitude
     if not isinstance(motion, FreeMotion):
         raise TypeError(f"motion must be a FreeMotion or a Motion, not {type(motion).__name__}")
@@ -132,7 +132,7 @@ def _axes(ax: Axes | None, solid: bool = False) -> tuple[Figure, Any]:
     if not isinstance(ax, Axes):
         raise TypeError(f"ax must be axes of Matplotlib, not {type(ax).__name__}")
     if (ax.name == "3d") != solid:
-        raise PolhodeError(f"ax are axes of the projection {ax.name!r}, which this figure is not", 'subplot_kw={"projection": "3d"} is for the polhode')
+        raise PolhodeError(f"ax has the projection {ax.name!r}, which this figure does not use", 'subplot_kw={"projection": "3d"} is for the polhode')
     figure = ax.get_figure(root=True)
     assert figure is not None  # removed axes have no figure, and cannot be used
     return figure, ax

@@ -469,10 +469,10 @@ class FunctionTorque(Torque):
 
     def __post_init__(self) -> None:
         if "kinetic_energy" in asked(self.law, vectorized=_arrays.truth("FunctionTorque.vectorized", self.vectorized)):
-            raise PolhodeError("a FunctionTorque is not told kinetic_energy: it is half the product of omega and momentum of a body without wheels")
+            raise PolhodeError("a FunctionTorque does not receive kinetic_energy: for a body without wheels compute it as omega · momentum / 2")
         _arrays.choice("FunctionTorque.axes", self.axes, ["body", "space"])
         if (self.from_, self.until, self.pulses) != (None, None, None):
-            raise PolhodeError("a FunctionTorque has no from_, until or pulses: its function knows the time")
+            raise PolhodeError("a FunctionTorque has no from_, until or pulses: use the time t in its function")
 
     def to_dict(self) -> dict[str, Any]:
         """Returns a zero torque of the same name, for texts, which cannot hold the function."""
@@ -596,9 +596,9 @@ class Event(Section):
         if callable(self.measure):
             measure = self.measure
             if "kinetic_energy" in asked(measure):
-                raise PolhodeError('a function of an event is not told kinetic_energy: measure = "kinetic_energy" has it')
+                raise PolhodeError('the function of an event does not receive kinetic_energy: use measure = "kinetic_energy"')
             if self.between is not None or self.formula is not None:
-                raise PolhodeError("Event: between and formula mean nothing beside a function")
+                raise PolhodeError("Event: between and formula have no effect with a function")
             object.__setattr__(self, "value", _arrays.number("event.value", 0.0 if self.value is None else self.value))
             # A placeholder while values are converted.
             object.__setattr__(self, "measure", "formula")

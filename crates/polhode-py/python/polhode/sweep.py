@@ -101,13 +101,13 @@ def run(
     """
     plan = plan if isinstance(plan, Plan) else Plan(_arrays.path("plan", plan))
     if all([_arrays.truth("resume", resume), _arrays.truth("force", force)]):
-        raise PolhodeError("resume and force are both given: one goes on with what is there, the other throws it away")
+        raise PolhodeError("resume and force are both given: resume continues the earlier results, force deletes them")
     timeout = None if worker_timeout is None else _arrays.positive("worker_timeout", worker_timeout)
     engine = None if on is None else _engine(on, timeout)
     if threads is not None and on is not None:
-        raise PolhodeError("threads mean nothing on a cluster: each of its workers has one", "say how many processes by workers")
+        raise PolhodeError("threads have no effect on a cluster: each worker has one thread", "set the number of processes by workers")
     if workers is not None and on is None:
-        raise PolhodeError("workers mean nothing without a cluster: here there are threads", "say how many by threads, or where by on")
+        raise PolhodeError("workers have no effect without a cluster", "set the number of threads by threads, or a cluster by on")
     name, given = ("threads", threads) if on is None else ("workers", workers)
     count = _native.available_threads() if given is None else _arrays.count(name, given)
     if not callable(progress):
@@ -137,7 +137,7 @@ def _engine(on: str, timeout: float | None) -> Callable[[Plan, Parts, int], Iter
     """Returns the engine of an address: a function that computes parts, in any order."""
     kind, _, address = _arrays.text("on", on).partition("://")
     if kind not in _ENGINES or not address:
-        raise PolhodeError(f"on = {on!r} is no cluster", "write dask://HOST:PORT, ray://HOST:PORT, dask://local or ray://local")
+        raise PolhodeError(f"on = {on!r} is not a cluster", "write dask://HOST:PORT, ray://HOST:PORT, dask://local or ray://local")
     try:
         if kind == "dask":
             from ._dask import parts
@@ -150,16 +150,16 @@ def _engine(on: str, timeout: float | None) -> Callable[[Plan, Parts, int], Iter
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command and returns its exit status."""
-    parser = argparse.ArgumentParser(prog="python -m polhode.sweep", description="Compute a plan, on a cluster or here.")
+    parser = argparse.ArgumentParser(prog="python -m polhode.sweep", description="Compute a plan on a cluster or on this machine.")
     parser.add_argument("plan", metavar="PLAN", help="a TOML file with a [sweep] and a [run] section")
-    parser.add_argument("-o", "--output", metavar="DIR", help="the folder to write [default: the plan's name, here]")
+    parser.add_argument("-o", "--output", metavar="DIR", help="output folder [default: the plan's name, in the current folder]")
     parser.add_argument("--on", metavar="URL", help="dask://HOST:PORT, ray://HOST:PORT, dask://local or ray://local")
     parser.add_argument("--workers", "--threads", type=int, metavar="N", help="processes of a local cluster, or threads [default: all]")
     parser.add_argument(
-        "--worker-timeout", type=float, default=600.0, metavar="S", help="give a cluster up that has had no worker for so long [default: 600]"
+        "--worker-timeout", type=float, default=600.0, metavar="S", help="stop if the cluster has no worker for S seconds [default: 600]"
     )
-    parser.add_argument("--resume", action="store_true", help="go on with an interrupted sweep; begin it if there is none")
-    parser.add_argument("--force", action="store_true", help="throw away the results of an earlier sweep")
+    parser.add_argument("--resume", action="store_true", help="continue an interrupted sweep, or start it")
+    parser.add_argument("--force", action="store_true", help="delete the results of an earlier sweep")
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     given = parser.parse_args(arguments)
     output = given.output or os.path.splitext(os.path.basename(given.plan))[0]
@@ -194,7 +194,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"{clear}error: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print(f"\nstopped: what is done is in {output}, and --resume goes on from there", file=sys.stderr)
+        print(f"\nstopped: finished parts are in {output}; continue with --resume", file=sys.stderr)
         return 130
     print(clear, end="", file=sys.stderr)
     print(json.dumps(found.summary, indent=2, ensure_ascii=False) if given.json else found.text)

@@ -154,10 +154,10 @@ def test_every_argument_is_refused_by_its_name(tmp_path: Path, monkeypatch: pyte
         ([1, 2, 10**20], polhode.PolhodeError, r"^omega\[2\] = 100000000000000000000 must be a float64 exactly: give a float, or an integer up to 2"),
         (np.array([1, 2, 3], object), TypeError, r"^omega must be real numbers, not objects \(dtype object\): convert them"),
         ([1.0, True, 3.0], TypeError, r"^omega\[1\] = True must be a number, not a truth value$"),
-        ([np.array(1.0).view(Quantity)] * 3, TypeError, r"^omega\[0\] has a unit of its own, .* would be lost"),
+        ([np.array(1.0).view(Quantity)] * 3, TypeError, r"^omega\[0\] has a unit that is neither .* would be lost"),
         ([[1.0], [2.0, 3.0]], polhode.PolhodeError, r"^omega must have rows of one length"),
         (None, TypeError, "^omega must be real numbers, not NoneType$"),
-        ([1, 2, -(10**5000)], polhode.PolhodeError, r"^omega\[2\] = an integer of some 5000 digits must be a float64 exactly"),
+        ([1, 2, -(10**5000)], polhode.PolhodeError, r"^omega\[2\] = an integer of about 5000 digits must be a float64 exactly"),
     ],
 )
 def test_messages_say_what_is_there(value: object, error: type[Exception], says: str) -> None:
@@ -171,9 +171,9 @@ def test_a_text_is_no_truth_value_and_a_third_element_no_part_of_a_mesh() -> Non
         (lambda: polhode.inertia(mesh, density=1.0, hull="no"), "hull must be True or False, not str"),
         (lambda: shapes.cylinder_shell(radius=1.0, length=2.0, ends="no", mass=1.0), "ends must be True or False, not str"),
         (lambda: polhode.FreeMotion(moments=[1, 2, 9], omega=[1, 2, 3], allow_unphysical="no"), "allow_unphysical must be True or False"),
-        (lambda: polhode.inertia((*mesh, [[0, 0, 1]] * 4), density=1.0), r"source is a tuple of 3: a mesh is \(vertices, triangles\)"),
+        (lambda: polhode.inertia((*mesh, [[0, 0, 1]] * 4), density=1.0), r"source is a tuple of 3, but a mesh must be \(vertices, triangles\)"),
         (lambda: polhode.inertia((VERTICES, np.ma.masked_equal(TRIANGLES, 3)), density=1.0), "triangles has masked elements"),
-        (lambda: polhode.inertia(mesh, density=1.0, kind="voxels"), "kind = 'voxels' means nothing for arrays"),
+        (lambda: polhode.inertia(mesh, density=1.0, kind="voxels"), "kind = 'voxels' has no effect on arrays"),
         (lambda: polhode.inertia(mesh, density=1.0, unit="kg"), 'unit = \'kg\': "kg" is a mass'),
         (lambda: polhode.check("arm.urdf", roots="models"), "roots must be a list of folders, not str"),
         (lambda: polhode.inertia((VERTICES, [[0, 2, 10**20]]), density=1.0), r"triangles\[0, 2\] = 100000000000000000000 must be from 0 to 3"),
@@ -242,7 +242,7 @@ def test_options_that_exclude_each_other_are_refused(tmp_path: Path) -> None:
     assert len(polhode.Ensemble(**bodies, torques=torque)) == 1
     for call, says in (
         (lambda: polhode.inertia((VERTICES, TRIANGLES), density=1.0, hull=True, shell=0.1), "hull and shell are both given"),
-        (lambda: polhode.FreeMotion(inertia=[1, 2, 2.5], omega=[1, 2, 3], allow_unphysical=True), "allow_unphysical = True means nothing for inertia"),
+        (lambda: polhode.FreeMotion(inertia=[1, 2, 2.5], omega=[1, 2, 3], allow_unphysical=True), "allow_unphysical = True has no effect on inertia"),
         (lambda: polhode.Ensemble(**bodies, torques=torque + sweep), r"torques may contain only \[\[torque\]\] tables"),
         (lambda: polhode.Ensemble(**bodies, torques='title = "drag"\n' + torque), r"torques may contain only \[\[torque\]\] tables"),
         (lambda: polhode.Ensemble(inertia=[[1, 0.1, 0], [0, 2, 0], [0, 0, 2.5]], omega=[[1, 2, 3]]), "member 0: .*not symmetric.*\nhint: give each product"),
@@ -279,13 +279,13 @@ def test_paths_of_any_bytes_are_read(tmp_path: Path) -> None:
         lambda: polhode.batch.Plan("title = '\udce9'\n"),
         lambda: shapes.sphere(radius=1.0, material="\udce9"),
     ):
-        with pytest.raises(polhode.PolhodeError, match="a lone surrogate: that is no text"):
+        with pytest.raises(polhode.PolhodeError, match="a lone surrogate\), which is not valid text"):
             call()
 
 
 def test_a_kind_of_many_formats_needs_an_ending(tmp_path: Path) -> None:
     for kind, known in (("mesh", ".stl .obj .ply"), ("molecule", ".xyz .extxyz .mol")):
-        with pytest.raises(polhode.PolhodeError, match=f"does not say by its ending which format of a {kind} it is\nhint: known are {known}"):
+        with pytest.raises(polhode.PolhodeError, match=f"is not a known format of a {kind}\nhint: known extensions: {known}"):
             polhode.inertia(tmp_path / "body.dat", kind=kind)
 
 

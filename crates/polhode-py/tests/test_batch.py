@@ -71,10 +71,10 @@ def test_members_that_are_no_bodies_are_rows_too(plan: batch.Plan) -> None:
 def test_what_are_no_rows_is_refused(plan: batch.Plan) -> None:
     rows = batch.inputs(plan, range(0, 3))
     for wrong, error, says in (
-        (rows.drop_columns(["member"]), polhode.PolhodeError, "there is no column member"),
+        (rows.drop_columns(["member"]), polhode.PolhodeError, "the column member is missing"),
         ([1.0, 2.0], TypeError, "rows must be a pyarrow RecordBatch or Table, a dataframe, or a mapping"),
         (rows.set_column(0, "member", pa.array([0.0, 1.0, 2.0])), TypeError, "member must hold whole numbers, not double"),
-        (rows.set_column(0, "member", pa.array([0, None, 2])), polhode.PolhodeError, "rows without a value"),
+        (rows.set_column(0, "member", pa.array([0, None, 2])), polhode.PolhodeError, "has missing values"),
         (rows.set_column(0, "member", pa.array([0, -1, 2])), polhode.PolhodeError, "negative"),
         (rows.set_column(1, rows.column_names[1], pa.array(["a", "b", "c"])), TypeError, "must hold numbers, not string"),
     ):
@@ -129,7 +129,7 @@ def test_folders_are_guarded(plan: batch.Plan, tmp_path: Path) -> None:
     with pytest.raises(polhode.PolhodeError, match="resume and force"):
         sweep.run(plan, tmp_path / "one", resume=True, force=True)
     for on in ("dask", "spark://h:1", "ray://"):
-        with pytest.raises(polhode.PolhodeError, match="is no cluster"):
+        with pytest.raises(polhode.PolhodeError, match="is not a cluster"):
             sweep.run(plan, tmp_path / "two", on=on)
 
 
@@ -164,8 +164,8 @@ def test_what_rows_hold_is_kept_or_refused(plan: batch.Plan) -> None:
     numbers = [0.5] * 600
     numbers[417] = 2**60
     for wrong, says in (
-        (own, "rows have a column status already"),
-        (batch.simulate(rows, plan), "rows have a column status already"),
+        (own, "rows already have a column status"),
+        (batch.simulate(rows, plan), "rows already have a column status"),
         (rows.append_column(name, rows.column(1)), f"there are 2 columns {name}"),
         (degrees, f"column {name} is in deg/s, as its field says, and must be in rad/s"),
         # counted in the table, not in a piece of it
@@ -223,8 +223,8 @@ def test_ctrl_c_ends_rows_that_take_long(examples: Path, threads: int) -> None:
 
 def test_threads_are_of_this_process_and_workers_of_a_cluster(tmp_path: Path) -> None:
     plan = batch.Plan(PLAN.format(members=10))
-    with pytest.raises(polhode.PolhodeError, match="workers mean nothing without a cluster"):
+    with pytest.raises(polhode.PolhodeError, match="workers have no effect without a cluster"):
         sweep.run(plan, tmp_path / "one", workers=2)
-    with pytest.raises(polhode.PolhodeError, match="threads mean nothing on a cluster"):
+    with pytest.raises(polhode.PolhodeError, match="threads have no effect on a cluster"):
         sweep.run(plan, tmp_path / "one", threads=2, on="dask://local")
     assert not (tmp_path / "one").exists()

@@ -155,7 +155,7 @@ def test_what_is_no_list_is_refused(written: Path) -> None:
         polhode.budget(3)
     with pytest.raises(TypeError, match=r"quantity\[3\] = True must be text or a number"):
         polhode.budget({**COLUMNS, "quantity": [None, None, None, True]}, plan=PLAN)
-    with pytest.raises(polhode.PolhodeError, match="a plan goes with a table"):
+    with pytest.raises(polhode.PolhodeError, match="plan is only for a table"):
         polhode.budget(written, plan=PLAN)
     with pytest.raises(FileNotFoundError):
         polhode.budget(written.with_name("other.csv"))

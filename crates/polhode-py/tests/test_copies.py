@@ -212,7 +212,7 @@ def everything(tmp_path: Path) -> list[object]:
         states,
         watched,
         watched.at([0.0, 2.5, 4.0]),
-        polhode.Failure(3, 1.25, "beyond the range of numbers"),
+        polhode.Failure(3, 1.25, "too large for a double"),
         polhode.Stop(3, "lower", 1.25),
         checked,
         *checked.findings[:2],

@@ -101,7 +101,7 @@ def test_a_scheduler_that_dies_is_an_error_and_what_is_done_is_kept(tmp_path: Pa
     plan = batch.Plan(PLAN.format(members=12_000))
     sweep.run(plan, tmp_path / "alone")
     with scheduler(tmp_path) as (process, address), worker(address):
-        with pytest.raises(ConnectionError, match=f"^dask://{address} was lost on the way: .*go on with resume$"):
+        with pytest.raises(ConnectionError, match=f"^the connection to dask://{address} was lost: .*; finished parts are saved: continue with resume=True$"):
             sweep.run(plan, tmp_path / "cluster", on=f"dask://{address}", progress=lambda done, members: process.kill())
     assert list((tmp_path / "cluster").rglob("*.parquet"))
     sweep.run(plan, tmp_path / "cluster", resume=True)
@@ -117,7 +117,7 @@ def test_a_cluster_without_workers_is_told_and_given_up(tmp_path: Path) -> None:
         ended = subprocess.run([*command, "--on", url, "--worker-timeout", "3"], capture_output=True, text=True, timeout=120)
     warned, error = ended.stderr.splitlines()
     assert warned == f"warning: {url} has no worker: waiting for one for 3 s at most"
-    assert re.fullmatch(f"error: {url} has had no worker for [3-9] s; what is done is kept: start workers, and go on with resume", error)
+    assert re.fullmatch(f"error: {url} has had no worker for [3-9] s; finished parts are saved: start workers, and continue with resume=True", error)
     assert ended.returncode == 2 and not ended.stdout
 
 

@@ -121,7 +121,7 @@ def test_events_of_functions() -> None:
 def test_a_member_that_cannot_go_on_has_the_events_before() -> None:
     runs_away = '[[torque]]\nmodel = "formula"\naxes = "body"\ntorque = ["0", "0", "1[kg m^2 s]*wz^3"]\n'
     fast = Event(name="fast", measure="omega_body_z", value=60.0)
-    with pytest.warns(polhode.PolhodeWarning, match="1 of 2 members cannot go on, the first is 1"):
+    with pytest.warns(polhode.PolhodeWarning, match="1 of 2 members failed; the first is 1"):
         states = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=[[0.0, 0.0, 0.1], [0.0, 0.0, 50.0]], torques=runs_away, events=[fast]).at([0.0, 1.0])
     assert [len(events) for events in states.events] == [0, 1] and not states.stops
     assert states.endings[1] == ("failed", states.failures[0].cause, states.failures[0].time) and states.endings[0].kind == "complete"

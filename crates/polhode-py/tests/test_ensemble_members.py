@@ -186,7 +186,7 @@ def test_copies_and_equality() -> None:
         ({"wheels": WHEELS[:4]}, "wheels has 4: "),
         ({"body": BODIES[:5]}, "body has 5"),
         ({"body": []}, "body is an empty list"),
-        ({"inertia": INERTIA}, "by body, by moments or by inertia, exactly one"),
+        ({"inertia": INERTIA}, "exactly one of body, moments and inertia"),
         ({"torques": [Gravity()]}, r"torques\[0\].*: .*pivot"),
         ({"torques": [Gravity(pivot=[0, 0, 0])], "pivot": PIVOTS}, r"torques\[0\].pivot: .*left out, since the pivot is given"),
         ({"torques": [GravityGradient()]}, r"torques\[0\].*: .*orbit"),

@@ -89,8 +89,8 @@ def test_what_it_raises_is_raised_with_its_traceback(generic: polhode.MassProper
         (lambda t: [t, 1.0], polhode.PolhodeError, r"what an event measures at t = 0.0 s must be one number"),
         (lambda t: float("nan"), polhode.PolhodeError, "must be finite"),
         (lambda t: "fast", TypeError, "must be a real number, not text"),
-        (lambda speed: 1.0, polhode.PolhodeError, "has the parameter speed, which is nothing of the state"),
-        (lambda kinetic_energy: 1.0, polhode.PolhodeError, "is not told kinetic_energy"),
+        (lambda speed: 1.0, polhode.PolhodeError, "has the parameter speed, which is not part of the state"),
+        (lambda kinetic_energy: 1.0, polhode.PolhodeError, "does not receive kinetic_energy"),
     ],
 )
 def test_a_function_that_measures_nothing_is_refused(generic: polhode.MassProperties, measure: Any, error: type[Exception], says: str) -> None:
@@ -99,7 +99,7 @@ def test_a_function_that_measures_nothing_is_refused(generic: polhode.MassProper
 
 
 def test_what_goes_with_no_function_is_refused(generic: polhode.MassProperties) -> None:
-    for keys, says in (({"formula": "wx"}, "formula mean nothing beside a function"), ({"value": float("inf")}, "value = inf must be finite")):
+    for keys, says in (({"formula": "wx"}, "formula have no effect with a function"), ({"value": float("inf")}, "value = inf must be finite")):
         with pytest.raises(polhode.PolhodeError, match=says):
             Event(measure=lean, **keys)
     with pytest.raises(TypeError, match="value must be a real number, not text"):
@@ -107,7 +107,7 @@ def test_what_goes_with_no_function_is_refused(generic: polhode.MassProperties) 
     with pytest.raises(polhode.PolhodeError, match="the key value is missing"):
         scenario(generic, Event(measure="omega"))
     one = scenario(generic, Event(measure=lean, name="lean"))
-    with pytest.raises(polhode.PolhodeError, match="an event measures a function of this program, which no file can hold"):
+    with pytest.raises(polhode.PolhodeError, match="an event measures a Python function, which cannot be written into a file"):
         one.to_toml()
     with pytest.raises(polhode.PolhodeError, match="watches a function, of which only values are known"):
         polhode.simulate(one, derivatives=[])
@@ -130,7 +130,7 @@ def test_a_scenario_with_one_is_a_value(generic: polhode.MassProperties) -> None
     motion = polhode.simulate(one.replace(title="leaning"))
     assert motion.summary["events"][0]["measure"] == "function" and motion.summary["events"][0]["unit"] == ""
     assert "r13" not in motion.page() and motion == pickle.loads(pickle.dumps(motion))
-    with pytest.raises(polhode.PolhodeError, match="has no functions of Python, of which its torques or events were"):
+    with pytest.raises(polhode.PolhodeError, match="does not contain the Python functions of its torques or events"):
         pickle.loads(pickle.dumps(motion)).at(1.0)
 
 
@@ -160,4 +160,4 @@ def test_knobs_keep_them(generic: polhode.MassProperties) -> None:
 
 def test_a_printed_scenario_says_what_no_file_can_hold(generic: polhode.MassProperties) -> None:
     printed = str(scenario(generic, Event(measure="omega", value=1.0), Event(measure=lean, name="lean")))
-    assert printed.startswith("# event[1] is a function of Python, which no file can hold: zero stands in its place.\n[[body.part]]")
+    assert printed.startswith("# event[1] is a Python function, which cannot be written into a file; zero is written instead.\n[[body.part]]")

@@ -280,7 +280,7 @@ def test_a_wrong_model_shows() -> None:
     ]
     with pytest.warns(polhode.PolhodeWarning, match=r"errors are multiplied by .* \[identify.model\]"):
         result = polhode.identify_tumbles(flights=wobbly, gyro_noise=0.02)
-    assert result.has_model_error and result.widening > 2.0 and "what is left is no noise" in repr(result)
+    assert result.has_model_error and result.widening > 2.0 and "the residuals are not noise" in repr(result)
 
 
 def test_answers_are_values(found: dict[str, Any]) -> None:
@@ -361,7 +361,7 @@ def test_arrays_that_do_not_fit_are_refused() -> None:
         ({"times": times[:3], "gyro": three}, "times and gyro must be of the same length, not 3 and 20"),
         ({"times": times, "gyro": np.ones((20, 2))}, r"gyro must have the shape \(n, 3\)"),
         ({"times": times, "gyro": three * np.nan}, "finite"),
-        ({"times": times, "gyro": three, "attitude_times": times}, "attitude_times mean nothing"),
+        ({"times": times, "gyro": three, "attitude_times": times}, "attitude_times have no effect"),
         ({"times": times, "gyro": three, "attitude": np.ones((4, 4))}, "times and attitude must be of the same length"),
         ({"times": times, "gyro": three, "added": np.eye(2)}, "added must have the shape"),
     ]:
@@ -378,16 +378,16 @@ def test_arrays_that_do_not_fit_are_refused() -> None:
         polhode.identify_tumbles(flights=[])
     with pytest.raises(polhode.PolhodeError, match="drag = 'cubic' must be one of linear, quadratic"):
         polhode.identify_tumbles(flights=flight, drag="cubic")
-    with pytest.raises(polhode.PolhodeError, match=r"\[\[torque\]\] tables only"):
+    with pytest.raises(polhode.PolhodeError, match=r"only \[\[torque\]\] tables"):
         polhode.identify_tumbles(flights=polhode.Flight(times=times, gyro=three, torques='title = "no"'))
     wrist: dict[str, Any] = {"times": times, "gravity": three, "wrench": "on_sensor"}
     wrist |= {name: three for name in ("omega", "alpha", "acceleration", "force", "torque")}
     for given, message in [
         ({"alpha": three[:4]}, "times and alpha must be of the same length"),
-        ({"gravity": [0, 0, -9.81]}, "there are no attitudes"),
+        ({"gravity": [0, 0, -9.81]}, "no attitudes are given"),
         ({"wrench": "on_table"}, "one of on_sensor, on_payload"),
-        ({"force_noise": 0.1}, "both, or neither"),
-        ({"force_noise": 0.1, "torque_noise": 0.1, "wrench_covariance": np.eye(6)}, "has all of the noise"),
+        ({"force_noise": 0.1}, "give both force_noise and torque_noise, or neither"),
+        ({"force_noise": 0.1, "torque_noise": 0.1, "wrench_covariance": np.eye(6)}, "contains all the noise"),
         ({"wrench_covariance": -np.eye(6)}, "positive definite"),
         ({"omega_noise": -1.0}, "the noise of an angular velocity is -1"),
         ({"kind": "ball"}, "one of plate, rod"),

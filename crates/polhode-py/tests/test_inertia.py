@@ -122,7 +122,7 @@ def test_several_molecules_are_chosen_from(examples: Path, tmp_path: Path) -> No
     mol = (examples / "water.mol").read_text()
     path = tmp_path / "two.sdf"
     path.write_text(f"{mol.rstrip()}\n$$$$\n{mol.rstrip()}\n$$$$\n")
-    with pytest.raises(polhode.PolhodeError, match="holds 2 molecules\nhint: say which by molecule, from 0"):
+    with pytest.raises(polhode.PolhodeError, match="contains 2 molecules\nhint: choose one by molecule, from 0"):
         polhode.inertia(path)
     assert polhode.inertia(path, molecule=1).mass == polhode.inertia(examples / "water.mol").mass
     with pytest.raises(polhode.PolhodeError, match="molecule = 2 must be from 0 to 1"):
@@ -160,9 +160,9 @@ def test_scenarios_and_robots(examples: Path) -> None:
 
 def test_what_means_nothing_is_refused(examples: Path) -> None:
     for name, options, says in (
-        ("t-handle.toml", {"density": 1.0}, "density means nothing for .* which is a scenario"),
-        ("bracket.stl", {"link": "arm"}, "link means nothing for .* which is a mesh"),
-        ("water.xyz", {"hull": True}, "hull means nothing for .* which is a molecule"),
+        ("t-handle.toml", {"density": 1.0}, "density has no effect on .* which is a scenario"),
+        ("bracket.stl", {"link": "arm"}, "link has no effect on .* which is a mesh"),
+        ("water.xyz", {"hull": True}, "hull has no effect on .* which is a molecule"),
         ("bracket.stl", {"unit": "kg"}, "mass where a length belongs"),
         ("bracket.stl", {"unit": -1.0}, "unit = -1.0 must be positive"),
         ("make_bracket.py", {}, "unknown file extension"),

@@ -72,11 +72,11 @@ PLANTED: dict[str, tuple[Callable[[polhode.Motion], dict[str, Any]], dict[str, A
         lambda m: {"attitude": (m.attitude * CONJUGATE)[:, [1, 2, 3, 0]], "omega": m.omega_space},
         {"quaternion": "xyzw", "sense": "space_to_body", "omega_axes": "space"},
     ),
-    "y upwards": (
+    "y up is": (
         lambda m: {"attitude": np.hstack([m.attitude[:, :1], upwards(m.attitude[:, 1:])]), "omega": upwards(m.omega)},
         {"axes": "(x, z, −y)"},
     ),
-    "y upwards, declared": (
+    "y up is, declared": (
         lambda m: {"attitude": np.hstack([m.attitude[:, :1], upwards(m.attitude[:, 1:])]), "omega": upwards(m.omega), "axes": "x,z,-y"},
         {"axes": "(x, z, −y)"},
     ),
@@ -137,7 +137,7 @@ def test_what_is_right_is_said_to_be(exact: polhode.Motion) -> None:
     judgement = polhode.judge(PUSHED, times=exact.times, attitude=exact.attitude, omega=exact.omega)
     assert judgement.is_exact and judgement.largest_attitude_error <= 3 * judgement.exact_to < 1e-11
     assert judgement.growth is None and judgement.causes == []
-    assert repr(judgement).startswith("Judgement(301 rows, right to ") and "\n" not in repr(judgement)
+    assert repr(judgement).startswith("Judgement(301 rows, correct to ") and "\n" not in repr(judgement)
     assert "Correct: no error above" in judgement.report() == str(judgement)
 
 
@@ -147,7 +147,7 @@ def test_rotations_are_scalar_last_and_of_body_to_space(exact: polhode.Motion) -
     assert len(judgement.reading.tried) == 1 and judgement.largest_attitude_error < 1e-12
     inverse = polhode.judge(PUSHED, times=exact.times, attitude=exact.rotations().inv(), sense="space_to_body")
     assert inverse.reading.sense == "space_to_body" and inverse.largest_attitude_error < 1e-12
-    with pytest.raises(polhode.PolhodeError, match="quaternion means nothing for a Rotation"):
+    with pytest.raises(polhode.PolhodeError, match="quaternion has no effect on a Rotation"):
         polhode.judge(PUSHED, times=exact.times, attitude=exact.rotations(), quaternion="wxyz")
 
 
@@ -212,8 +212,8 @@ def replaced(array: np.ndarray, index: Any, value: Any) -> np.ndarray:
 @pytest.mark.parametrize(
     ("given", "says"),
     [
-        ({"attitude": None}, "a run is a log, or times and attitude"),
-        ({"times": None}, "a run is a log, or times and attitude"),
+        ({"attitude": None}, "give either run, or both times and attitude"),
+        ({"times": None}, "give either run, or both times and attitude"),
         ({"attitude": np.ones((301, 3))}, r"attitude must have the shape \(n, 4\), or \(n, 3, 3\) for matrices, not \(301, 3\)"),
         ({"attitude": np.ones((301, 3, 4))}, r"attitude must have the shape \(n, 3, 3\), not \(301, 3, 4\)"),
         ({"attitude": np.ones((301, 3, 3))}, r"attitude\[0\]: \|RᵀR − 1\| = .* has to be a rotation"),
@@ -232,12 +232,12 @@ def replaced(array: np.ndarray, index: Any, value: Any) -> np.ndarray:
         ({"quaternion": "zyxw"}, "quaternion = 'zyxw' must be one of wxyz, xyzw"),
         ({"sense": "inverse"}, "sense = 'inverse' must be one of body_to_space, space_to_body"),
         ({"axes": "x,z,y"}, r'axes = "x,z,y" must be three right-handed axes'),
-        ({"omega_axes": "space"}, "omega_axes mean nothing without omega"),
-        ({"columns": "time = t"}, "columns mean nothing for arrays"),
+        ({"omega_axes": "space"}, "omega_axes has no effect without omega"),
+        ({"columns": "time = t"}, "columns have no effect on arrays"),
         ({"step": 0.0}, "step = 0.0 must be positive"),
-        ({"quaternion": "wxyz", "attitude": np.tile(np.eye(3), (301, 1, 1))}, "quaternion means nothing for matrices"),
+        ({"quaternion": "wxyz", "attitude": np.tile(np.eye(3), (301, 1, 1))}, "quaternion has no effect on matrices"),
         ({"time_origin": 1.0}, "a row at -1 s, before the scenario's start at 0 s\nhint: set time_origin, the run"),
-        ({"run": "log.csv"}, "times and attitude mean nothing for a log"),
+        ({"run": "log.csv"}, "times and attitude have no effect on a log"),
     ],
 )
 def test_what_is_no_motion_is_refused(given: dict[str, Any], says: str) -> None:
@@ -307,7 +307,7 @@ def test_errors_of_a_log_have_their_place(tmp_path: Path) -> None:
         polhode.judge(tmp_path / "nothing.toml", path)
     with pytest.raises(polhode.PolhodeError, match=r'columns: "wzyx" says nothing of quaternion'):
         polhode.judge(BODY, path, columns="quaternion wzyx = qw qz qy qx")
-    with pytest.raises(polhode.PolhodeError, match="times and omega mean nothing for a log"):
+    with pytest.raises(polhode.PolhodeError, match="times and omega have no effect on a log"):
         polhode.judge(BODY, path, times=TIMES, omega=np.ones((301, 3)))
     odd = write(tmp_path / "odd.csv", HEADER, np.random.default_rng(4).normal(size=(301, 4)), np.ones((301, 3)))
     with pytest.raises(polhode.PolhodeError, match="no interpretation") as error:

@@ -154,9 +154,9 @@ def test_what_varies_is_looked_at() -> None:
         Vary(key=3, relative=0.1)
     with pytest.raises(TypeError, match=r"vary\[1\] must be"):
         Plan(SCENARIO, vary=[Vary(key=RATES[0], relative=0.1), {"key": RATES[1]}], members=3)
-    with pytest.raises(polhode.PolhodeError, match="are for a Scenario"):
+    with pytest.raises(polhode.PolhodeError, match="are only for a Scenario"):
         Plan("a = 1\nb = 2", members=3)
-    with pytest.raises(polhode.PolhodeError, match="vary is for a Scenario"):
+    with pytest.raises(polhode.PolhodeError, match="vary is only for a Scenario"):
         Plan("plan.toml", vary=[Vary(key=RATES[0], relative=0.1)])
     for own in (
         SCENARIO.replace(torques=[FunctionTorque(law=lambda t: [0.0, 0.0, t])]),
@@ -202,12 +202,12 @@ def test_tables_of_ones_own_are_rows(plan: Plan) -> None:
 def test_tables_of_ones_own_are_looked_at(plan: Plan) -> None:
     given = own(5)
     for wrong, error, says in (
-        ({NAMES[0]: given[NAMES[0]]}, polhode.PolhodeError, f"there is no column {NAMES[1]}"),
-        ({**given, NAMES[0]: given[NAMES[0]][:3]}, polhode.PolhodeError, f"{NAMES[0]} has 3, .*rows must have as many of each"),
+        ({NAMES[0]: given[NAMES[0]]}, polhode.PolhodeError, f"the column {NAMES[1]} is missing"),
+        ({**given, NAMES[0]: given[NAMES[0]][:3]}, polhode.PolhodeError, f"{NAMES[0]} has 3, .*give one for each row"),
         ({**given, NAMES[0]: np.ones((5, 2))}, polhode.PolhodeError, r"must have the shape \(n,\)"),
         ({**given, NAMES[0]: np.array(list("abcde"))}, TypeError, "must hold numbers, not string"),
         ({**given, NAMES[0]: [True] * 5}, TypeError, "must be a number, not a truth value"),
-        ({**given, "status": given[NAMES[0]]}, polhode.PolhodeError, "rows have a column status already"),
+        ({**given, "status": given[NAMES[0]]}, polhode.PolhodeError, "rows already have a column status"),
         ({**given, NAMES[0]: np.ma.masked_invalid([1, 2, np.nan, 3, 4])}, polhode.PolhodeError, "has masked elements"),
     ):
         with pytest.raises(error, match=says):

@@ -115,7 +115,7 @@ def test_a_shaft_has_bearings_and_the_answer_is_the_commands() -> None:
     assert list(shaft.columns())[-1] == "bearing_2_body_z_n"
     for call, says in (
         (lambda: polhode.torque(BODY), r"no \[prescribed\] motion"),
-        (lambda: polhode.torque(PRESCRIBED, masses=[1.0]), "masses and positions belong together"),
+        (lambda: polhode.torque(PRESCRIBED, masses=[1.0]), "give masses and positions together"),
         (lambda: polhode.torque(PRESCRIBED, times=[0.0, 0.0]), r"times\[0\] = 0.0 must be later than the one before it"),
         (lambda: polhode.torque(PRESCRIBED, masses=[-1.0], positions=[[0, 0, 0]]), r"masses\[0\] = -1.0 must be positive"),
     ):
@@ -234,7 +234,7 @@ def test_a_density_may_be_a_formula(tmp_path: Path) -> None:
         ({"field": "1000 + 2e4*q"}, "field: "),
         ({"field": "1000", "density": 1.0}, "field and density are both given"),
         ({"field": "1000", "union": True}, "field and union are both given"),
-        ({"tolerance": 1e-6}, "tolerance means nothing without field"),
+        ({"tolerance": 1e-6}, "tolerance has no effect without field"),
         ({"field": "x - 1"}, "density"),
     ):
         with pytest.raises(polhode.PolhodeError, match=says):

@@ -292,7 +292,7 @@ def test_a_law_of_numbers_raises_its_own_error(generic: polhode.MassProperties) 
     # Nor does a page show a text that says something else.
     still = polhode.simulate(made.replace(torques=[FunctionTorque(law=lambda t: [0.0, 0.0, t])]))
     assert 'model = \\"constant\\"' not in still.page()
-    assert "knows the time" in _message(lambda: FunctionTorque(law=law, until=2.0))
+    assert "use the time t" in _message(lambda: FunctionTorque(law=law, until=2.0))
 
 
 def test_ensembles_have_torques_as_objects() -> None:

@@ -48,7 +48,7 @@ def test_a_mesh_of_trimesh() -> None:
     mesh.units = "mm"
     assert tensors_agree(polhode.inertia(mesh, density=1.0), wanted)
     assert tensors_agree(polhode.inertia(mesh.triangles, unit="mm", density=1.0), wanted)
-    with pytest.raises(TypeError, match=r"not Scene: give the mesh of all of it, scene.to_mesh\(\)"):
+    with pytest.raises(TypeError, match=r"not Scene: give its whole mesh, scene.to_mesh\(\)"):
         polhode.inertia(trimesh.Scene([mesh]), density=1.0)
 
 
@@ -91,9 +91,9 @@ def test_what_is_wrong_in_an_open_file_has_its_place() -> None:
     with pytest.raises(polhode.PolhodeError) as error:
         polhode.inertia(broken, format="xyz")
     assert error.value.line == 4 and error.value.path == "file.xyz" and "/tmp" not in str(error.value)
-    with pytest.raises(polhode.PolhodeError, match='say how its name would end: format="stl"'):
+    with pytest.raises(polhode.PolhodeError, match='give the extension: format="stl"'):
         polhode.inertia(io.BytesIO(b"solid\n"))
-    with pytest.raises(polhode.PolhodeError, match="format is for open files"):
+    with pytest.raises(polhode.PolhodeError, match="format is only for open files"):
         polhode.inertia(BRACKET, format="stl")
     with pytest.raises(TypeError, match="bytes or text, not list"):
         polhode.inertia(SimpleNamespace(read=lambda: [1, 2], name="a.stl"))

@@ -170,7 +170,7 @@ def test_what_is_no_solid_is_refused_or_said(occ: Any, tmp_path: Path) -> None:
     from OCP.gp import gp_Dir, gp_Pln, gp_Pnt
 
     face = BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(1, 2, 3), gp_Dir(*AXIS)), 0.0, 2.0, 0.0, 3.0).Face()
-    with pytest.raises(polhode.PolhodeError, match="has no solid, but 1 surfaces"):
+    with pytest.raises(polhode.PolhodeError, match="has no solid, only 1 surface"):
         polhode.inertia(_write(tmp_path / "face.step", face), density=1.0)
     cylinder = BRepPrimAPI_MakeCylinder(_placed(), 2.0, 3.0).Shape()
     with pytest.warns(polhode.PolhodeWarning, match=r"1 shell or face that does not enclose a solid was left out \[step.not_a_solid\]"):
@@ -179,7 +179,7 @@ def test_what_is_no_solid_is_refused_or_said(occ: Any, tmp_path: Path) -> None:
         polhode.inertia(_write(tmp_path / "alone.step", cylinder))
     broken = tmp_path / "broken.step"
     broken.write_text("ISO-10303-21;\nHEADER;\nnothing")
-    with pytest.raises(polhode.PolhodeError, match="is no STEP file that OpenCASCADE reads"):
+    with pytest.raises(polhode.PolhodeError, match="is not a STEP file that OpenCASCADE can read"):
         polhode.inertia(broken, density=1.0)
     empty = tmp_path / "empty.step"
     empty.touch()
@@ -200,8 +200,8 @@ def test_what_opencascade_passes_over_is_refused(occ: Any, tmp_path: Path) -> No
     for pattern, replacement, message in (
         (r"(MANIFOLD_SOLID_BREP\('',)#\d+", r"\1#99999", "cannot read entity .*, ManifoldSolidBrep"),
         ("MANIFOLD_SOLID_BREP", "MANIFOLD_SOLID", "cannot read entity .*, AdvancedBrepShapeRepresentation"),
-        (r"(CLOSED_SHELL\('',\()[#\d,\s]+", r"\1", "names 2 solids, and OpenCASCADE reads 1 of them"),
-        ("GLOBAL_UNIT_ASSIGNED", "OTHER_UNIT_ASSIGNED", "says no unit of length"),
+        (r"(CLOSED_SHELL\('',\()[#\d,\s]+", r"\1", "has 2 solids, but OpenCASCADE reads only 1"),
+        ("GLOBAL_UNIT_ASSIGNED", "OTHER_UNIT_ASSIGNED", "has a shape without a unit of length"),
     ):
         text, changed = re.subn(pattern, replacement, whole.read_text(), count=1)
         damaged = tmp_path / "damaged.step"

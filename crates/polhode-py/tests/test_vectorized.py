@@ -107,7 +107,7 @@ def test_what_it_raises_keeps_its_traceback() -> None:
 def test_what_is_refused() -> None:
     for law, says in (
         (lambda omega: omega[0], r"a row for each member, of shape \(37, 3\), not \(3,\)"),
-        (lambda omega: omega - omega.mean(axis=0), "the torque of member 36 is .* alone and .* beside others"),
+        (lambda omega: omega - omega.mean(axis=0), "the torque of member 36 is .* alone and .* among others"),
         (lambda omega: np.zeros((len(omega), 3)) + omega[0], "the torque of member 36 is .* alone"),
         (lambda omega: omega * np.nan, "member 0: .*not finite|member 0: "),
     ):
@@ -117,7 +117,7 @@ def test_what_is_refused() -> None:
         ensemble(FunctionTorque(law=lambda omega: omega * 1j, vectorized=True))
     with pytest.raises(polhode.PolhodeError, match="a law has the parameter member"):
         FunctionTorque(law=lambda member: member)
-    with pytest.raises(polhode.PolhodeError, match="is not told kinetic_energy"):
+    with pytest.raises(polhode.PolhodeError, match="does not receive kinetic_energy"):
         FunctionTorque(law=lambda kinetic_energy: [0, 0, 0])
     with pytest.raises(TypeError, match="FunctionTorque.vectorized must be True or False, not str"):
         FunctionTorque(law=many, vectorized="yes")
@@ -127,7 +127,7 @@ def test_a_member_that_cannot_go_on() -> None:
     def partial(t: Any, omega: Any, member: Any) -> Any:
         return np.where(((member == 3) & (t > 1.0))[:, None], np.nan, -0.1 * omega)
 
-    with pytest.warns(polhode.PolhodeWarning, match="1 of 37 members cannot go on, the first is 3"):
+    with pytest.warns(polhode.PolhodeWarning, match="1 of 37 members failed; the first is 3"):
         found = ensemble(FunctionTorque(law=partial, vectorized=True)).at(TIMES, tolerance=1e-9)
     assert [failure.member for failure in found.failures] == [3] and found.failures[0].time == 0.3
     whole = ensemble(FunctionTorque(law=lambda omega: -0.1 * omega, vectorized=True)).at(TIMES, tolerance=1e-9)

@@ -69,7 +69,7 @@ def test_warnings_point_at_the_line_of_the_user(examples: Path, tmp_path: Path) 
         "[mesh.unit]": lambda: polhode.inertia(path),
         "[mass.assumed]": lambda: polhode.inertia(examples / "meshes" / "bracket.3mf"),
         "[sweep.nominal]": lambda: polhode.simulate(path),
-        "cannot go on": lambda: runaway.at([2.0]),
+        "failed": lambda: runaway.at([2.0]),
         "[orbit.underground]": lambda: polhode.Ensemble(**bodies, torques=UNDERGROUND),
         "is it in mm?": lambda: batch.Plan(path),
         "about 68.8 m long": lambda: sweep.run(path, tmp_path / "out"),

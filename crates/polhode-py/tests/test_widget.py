@@ -53,11 +53,11 @@ def test_a_knob_names_a_number_of_the_scenario(racket: polhode.Scenario) -> None
     [
         (["start.spn.body[1]"], "no number start.spn.body[1]", "did you mean start.spin.body[1]"),
         (["torque[1].coefficient"], "no number torque[1].coefficient", "torque[0].coefficient"),
-        (["nothing"], "no number nothing", "it has start.spin.body[0], "),
+        (["nothing"], "no number nothing", "known: start.spin.body[0], "),
         (["body[0].shape"], "no number body[0].shape", ""),
-        (["start.omega[1]", "start.spin.body[1]"], "start.spin.body[1] is there twice", ""),
+        (["start.omega[1]", "start.spin.body[1]"], "start.spin.body[1] is given twice", ""),
         ({"start.omega[1]": (9, 1)}, "low = 9 of start.spin.body[1] must be less than high = 1", ""),
-        ({"start.omega[1]": (6, 9)}, "start.spin.body[1] is 5 rad/s, which is not from 6 to 9", "own unit"),
+        ({"start.omega[1]": (6, 9)}, "start.spin.body[1] is 5 rad/s, which is not from 6 to 9", "in the unit of the number"),
         ([], "at least one key", ""),
     ],
 )
@@ -102,7 +102,7 @@ def test_values_are_set_in_python(racket: polhode.Scenario) -> None:
     before = widget.motion
     with pytest.raises(PolhodeError, match="must be positive"):
         widget.values = {"body.part[0].mass": 0.0}
-    with pytest.raises(PolhodeError, match="there is no knob mass"):
+    with pytest.raises(PolhodeError, match="unknown knob mass"):
         widget.values = {"mass": 1.0}
     with pytest.raises(PolhodeError, match="finite"):
         widget.values = {"body.part[0].mass": np.inf}

@@ -31,8 +31,8 @@ impl Refusal {
 
     /// Refusal for a path that does not exist or may not be read. The answer does not say which.
     pub(crate) fn not_found() -> Self {
-        Self::new(StatusCode::NOT_FOUND, "there is nothing here")
-            .hint("open the address that polhode live has printed")
+        Self::new(StatusCode::NOT_FOUND, "this address does not exist")
+            .hint("open the address that polhode live printed")
     }
 }
 

@@ -77,9 +77,9 @@ impl Documents {
         stop: &AtomicBool,
     ) -> Result<Arc<Document>, Refusal> {
         if self.all().len() >= limits::DOCUMENTS {
-            let rule = format!("a session shows {} documents", limits::DOCUMENTS);
+            let rule = format!("a session shows at most {} documents", limits::DOCUMENTS);
             return Err(Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule)
-                .hint("end polhode live, and start it again"));
+                .hint("stop polhode live and start it again"));
         }
         let name = name_of(path);
         let unreadable = |error: String| unreadable(&name, &error);
@@ -95,7 +95,7 @@ impl Documents {
             if let Some(format) = BrepFormat::of(&Disk, path) {
                 return unreadable(format.refusal()).hint(format.hint(path));
             }
-            unreadable("its name does not say what it is".to_owned()).hint(
+            unreadable("its file extension is unknown".to_owned()).hint(
                 "the page shows scenarios (.toml), meshes (.stl .obj .ply .off .gltf .glb .3mf .dae), robots (.urdf .sdf .xml .usda .osim), molecules (.xyz .mol .pdb) and particles (.csv)",
             )
         })?;
@@ -238,7 +238,7 @@ impl Document {
     pub(crate) fn draft(&self) -> Result<&Mutex<Draft>, Refusal> {
         match &self.content {
             Content::Scenario { draft, .. } => Ok(draft),
-            _ => Err(Refusal::new(StatusCode::BAD_REQUEST, format!("{:?} is no scenario", self.name))),
+            _ => Err(Refusal::new(StatusCode::BAD_REQUEST, format!("{:?} is not a scenario", self.name))),
         }
     }
 }

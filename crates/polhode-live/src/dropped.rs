@@ -124,12 +124,13 @@ impl Drop for Incoming<'_> {
 }
 
 fn full() -> Refusal {
-    let rule = format!("a session keeps {} files and {} MiB", limits::FILE_COUNT, limits::FILES >> 20);
-    Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule).hint("end polhode live, and start it again")
+    let rule =
+        format!("a session keeps at most {} files and {} MiB", limits::FILE_COUNT, limits::FILES >> 20);
+    Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule).hint("stop polhode live and start it again")
 }
 
 fn unkept(name: &str, error: &io::Error) -> Refusal {
-    Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, format!("{name:?} cannot be kept: {error}"))
+    Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, format!("{name:?} cannot be saved: {error}"))
 }
 
 impl Drop for Dropped {
@@ -155,8 +156,8 @@ fn relative(name: &str) -> Result<PathBuf, Refusal> {
     const DEEPEST: usize = 8;
     let refused = || {
         let shown: String = name.chars().take(MOST).collect();
-        Refusal::new(StatusCode::BAD_REQUEST, format!("{shown:?} is no name of a file here"))
-            .hint("names have letters, digits, spaces and - _ . ( ) + @, folders in them are parted by /")
+        Refusal::new(StatusCode::BAD_REQUEST, format!("{shown:?} is not a valid file name here"))
+            .hint("use letters, digits, spaces and - _ . ( ) + @, with / between folders")
     };
     let is_plain = |c: char| c.is_alphanumeric() || "-_.()+@ ".contains(c);
     let names: Vec<&str> = name.split('/').collect();

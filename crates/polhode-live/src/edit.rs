@@ -25,11 +25,11 @@ pub(crate) enum EditError {
 impl std::fmt::Display for EditError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Syntax => f.write_str("the text is no TOML, so that no value of it can be changed"),
+            Self::Syntax => f.write_str("the text is not valid TOML, so its values cannot be changed"),
             Self::Key { key } => write!(f, "the scenario has no {key}"),
-            Self::Value { value } => write!(f, "{value:?} is no value of a scenario"),
+            Self::Value { value } => write!(f, "{value:?} is not a valid value in a scenario"),
             Self::Scenario => {
-                f.write_str("the text is no scenario, so that its body and its start are not known")
+                f.write_str("the text is not a valid scenario, so its body and start are unknown")
             }
             Self::Body { why } => f.write_str(why),
         }

@@ -47,12 +47,12 @@ impl LiveError {
         match self {
             Self::File { hint, .. } | Self::Lesson(LessonError { hint, .. }) => hint.as_deref(),
             Self::Address { error, .. } if error.kind() == io::ErrorKind::AddrInUse => {
-                Some("another program has this port: leave out --port, and a free one is taken")
+                Some("another program uses this port: omit --port to use a free one")
             }
             Self::Address { error, .. } if error.kind() == io::ErrorKind::PermissionDenied => {
-                Some("ports below 1024 are the system's: leave out --port")
+                Some("ports below 1024 need administrator rights: omit --port to use a free one")
             }
-            Self::Folder { .. } => Some("TMPDIR names the folder for temporary files"),
+            Self::Folder { .. } => Some("set TMPDIR to a writable folder for temporary files"),
             _ => None,
         }
     }
@@ -64,8 +64,8 @@ impl fmt::Display for LiveError {
             Self::File { message, .. } => f.write_str(message),
             Self::Lesson(error) => error.fmt(f),
             Self::Address { address, error } => write!(f, "cannot listen on {address}: {error}"),
-            Self::Folder { error } => write!(f, "cannot make a folder for dropped files: {error}"),
-            Self::Random => f.write_str("the system gives no random numbers for the token"),
+            Self::Folder { error } => write!(f, "cannot create a folder for dropped files: {error}"),
+            Self::Random => f.write_str("the system provides no random numbers for the token"),
             Self::Start { error } => write!(f, "cannot start the server: {error}"),
         }
     }

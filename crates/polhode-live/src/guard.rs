@@ -33,9 +33,14 @@ impl Guard {
         version: Version,
         headers: &HeaderMap,
     ) -> Result<&'u str, Refusal> {
-        let refused = |what: &str| Refusal::new(StatusCode::FORBIDDEN, format!("{what} is not this page's"));
+        let refused = |what: &str| {
+            Refusal::new(StatusCode::FORBIDDEN, format!("{what} of the request is not that of this page"))
+        };
         if version > Version::HTTP_11 || uri.scheme().is_some() || uri.authority().is_some() {
-            return Err(Refusal::new(StatusCode::BAD_REQUEST, "the request is not one for a page"));
+            return Err(Refusal::new(
+                StatusCode::BAD_REQUEST,
+                "the request is not an HTTP/1.1 request for a page",
+            ));
         }
         // A foreign name that DNS resolves to this address is refused (DNS rebinding).
         let mut hosts = headers.get_all(HOST).iter();
@@ -56,7 +61,7 @@ impl Guard {
             }
         }
         if !matches!(*method, Method::GET | Method::POST) {
-            return Err(Refusal::new(StatusCode::METHOD_NOT_ALLOWED, "only GET and POST are answered"));
+            return Err(Refusal::new(StatusCode::METHOD_NOT_ALLOWED, "only GET and POST are allowed"));
         }
         let path = uri.path().strip_prefix('/').unwrap_or_default();
         match path.split_once('/') {

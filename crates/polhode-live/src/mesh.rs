@@ -67,7 +67,7 @@ struct Read {
 
 impl Read {
     fn of(path: &Path, bytes: &[u8]) -> Result<Self, String> {
-        let format = MeshFormat::of_path(path).ok_or("it is no mesh")?;
+        let format = MeshFormat::of_path(path).ok_or("it is not a mesh")?;
         let contents = MeshContents::parse(&Disk, bytes, path, format).map_err(|error| error.message())?;
         let (assumed, parts) = (assumed_unit(&contents), PartNames::of(&contents));
         let contents = contents.as_one().map_err(|error| error.to_string())?;

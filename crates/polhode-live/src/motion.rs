@@ -31,7 +31,7 @@ pub(crate) fn answer(
 ) -> Result<Option<MotionAnswer>, Refusal> {
     let begun = Instant::now();
     if request.edits.len() > limits::EDITS {
-        let rule = format!("at most {} edits at once", limits::EDITS);
+        let rule = format!("a request has at most {} edits", limits::EDITS);
         return Err(Refusal::new(StatusCode::BAD_REQUEST, rule));
     }
     // A copy, because another tab may read another text meanwhile. Contents of files are shared.
@@ -100,9 +100,9 @@ fn without_run() -> Run {
 /// Reports differences between the motion shown and the scenario's run.
 fn shown_otherwise(scenario: &Scenario) -> Option<Finding> {
     let message = match scenario.run().map(|run| run.times.len()) {
-        None => format!("there is no [run]: the motion is shown for {WITHOUT_RUN} s"),
+        None => format!("the scenario has no [run]: the motion is shown for {WITHOUT_RUN} s"),
         Some(count) if count > limits::SAMPLES => {
-            format!("of {count} samples {} are computed and shown, evenly chosen", limits::SAMPLES)
+            format!("{} of {count} samples are computed and shown, evenly spaced", limits::SAMPLES)
         }
         Some(_) => return None,
     };
@@ -152,10 +152,10 @@ fn of_motion(file: &ScenarioFile, error: &MotionError) -> TextError {
         (Some(placed), _) => at_place(&placed, &file.text),
         (None, MotionError::Stopped { time }) => TextError {
             message: format!(
-                "the motion takes more than {} s to compute: it came to t = {time} s",
+                "the motion takes more than {} s to compute: it was stopped at t = {time} s",
                 limits::MOTION.as_secs()
             ),
-            hint: Some("shorten the run, or let polhode simulate take its time".to_owned()),
+            hint: Some("shorten the run, or use polhode simulate, which has no time limit".to_owned()),
             ..TextError::default()
         },
         (None, error) => TextError {

@@ -25,7 +25,7 @@ pub(crate) fn scenario_of(kind: Kind, path: &Path, bytes: &[u8]) -> Result<Strin
         Kind::Particles => {
             Ok(scenario(path, &particle_table(bytes)?, "[\"0.1 rad/s\", \"3 rad/s\", \"0.2 rad/s\"]", "20 s"))
         }
-        Kind::Scenario | Kind::Robot | Kind::Mesh => Err("it is no body".to_owned()),
+        Kind::Scenario | Kind::Robot | Kind::Mesh => Err("it is not a body".to_owned()),
     }
 }
 
@@ -36,10 +36,12 @@ pub(crate) fn scenario_of_mesh(path: &Path, unit: Option<f64>) -> String {
     let mut text = format!("[[body.part]]\nshape = \"mesh\"\nfile = {}\n", quoted(&file));
     if let Some(unit) = unit {
         let unit = if unit == 1.0 { "m" } else { "mm" };
-        let _ =
-            writeln!(text, "unit = \"{unit}\"           # the file does not say: this is taken by its size");
+        let _ = writeln!(
+            text,
+            "unit = \"{unit}\"           # the file has no unit: assumed from the size of the mesh"
+        );
     }
-    text += "density = \"1000 kg/m^3\"  # water, until it is said\n";
+    text += "density = \"1000 kg/m^3\"  # assumed: water\n";
     scenario(path, &text, "[\"0.05 rad/s\", \"0.1 rad/s\", \"3 rad/s\"]", "20 s")
 }
 

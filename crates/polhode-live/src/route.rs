@@ -75,7 +75,9 @@ impl Route {
 
     /// Parses the query of a dropped file, such as `set=7&name=meshes%2Fpart.stl`.
     fn drop(query: &str) -> Result<Self, Refusal> {
-        let bad = || Refusal::new(StatusCode::BAD_REQUEST, "a file is dropped as set=NUMBER&name=NAME");
+        let bad = || {
+            Refusal::new(StatusCode::BAD_REQUEST, "the query of a dropped file must be set=NUMBER&name=NAME")
+        };
         let value = |wanted: &str| {
             let mut pairs = query.split('&').filter_map(|pair| pair.split_once('='));
             pairs.find(|(key, _)| *key == wanted).map(|(_, value)| value)
@@ -203,9 +205,9 @@ fn complete(request: &CompleteRequest, draft: &polhode_scenario::read::Draft) ->
 }
 
 fn read<T: DeserializeOwned>(body: &[u8]) -> Result<T, Refusal> {
-    json_value(body).and_then(serde_json::from_value).map_err(|error| {
-        Refusal::new(StatusCode::BAD_REQUEST, format!("the request is not what the page asks: {error}"))
-    })
+    json_value(body)
+        .and_then(serde_json::from_value)
+        .map_err(|error| Refusal::new(StatusCode::BAD_REQUEST, format!("the request is invalid: {error}")))
 }
 
 /// Decodes a percent-encoded part of a query.

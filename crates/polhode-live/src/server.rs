@@ -267,7 +267,7 @@ async fn computed(
 fn long() -> Refusal {
     let took = format!("the answer takes more than {} s", limits::ANSWER.as_secs());
     Refusal::new(StatusCode::SERVICE_UNAVAILABLE, took)
-        .hint("a smaller mesh, or the command itself, which takes its time")
+        .hint("use a smaller mesh, or the polhode command, which has no time limit")
 }
 /// Returns the body, if it is not too large and arrives in time.
 async fn whole(body: Incoming, most: usize) -> Result<Bytes, Refusal> {
@@ -316,7 +316,7 @@ async fn kept(
 const AHEAD: usize = 16;
 
 fn late(_: Elapsed) -> Refusal {
-    Refusal::new(StatusCode::REQUEST_TIMEOUT, "the body of the request did not come in time")
+    Refusal::new(StatusCode::REQUEST_TIMEOUT, "the body of the request did not arrive in time")
 }
 
 fn broken(error: &(dyn Error + 'static), most: usize) -> Refusal {
@@ -324,11 +324,11 @@ fn broken(error: &(dyn Error + 'static), most: usize) -> Refusal {
         let rule = format!("the body of the request has more than {most} bytes");
         return Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, rule);
     }
-    Refusal::new(StatusCode::BAD_REQUEST, "the body of the request broke off")
+    Refusal::new(StatusCode::BAD_REQUEST, "the body of the request is incomplete")
 }
 
 fn defect(_: JoinError) -> Refusal {
-    Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "a defect of polhode: please report it")
+    Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, "internal error in polhode: please report it")
 }
 
 /// Ends the light turn of a computation that overruns it, or that nobody waits for:

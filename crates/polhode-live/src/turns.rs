@@ -53,8 +53,9 @@ impl Turns {
     /// If too many wait already.
     pub(crate) async fn heavy(&self) -> Result<Turn, Refusal> {
         let waiting = self.queue.clone().try_acquire_owned().map_err(|_| {
-            let rule = format!("{} computations wait already", limits::WAITING);
-            Refusal::new(StatusCode::SERVICE_UNAVAILABLE, rule).hint("try again when some of them are done")
+            let rule = format!("{} computations are already waiting", limits::WAITING);
+            Refusal::new(StatusCode::SERVICE_UNAVAILABLE, rule)
+                .hint("try again when some of them have finished")
         })?;
         let running = self.heavy.clone().acquire_owned().await.map_err(|_| closed())?;
         Ok(Turn::of(vec![running, waiting]))
@@ -72,5 +73,5 @@ impl Turns {
 }
 
 fn closed() -> Refusal {
-    Refusal::new(StatusCode::SERVICE_UNAVAILABLE, "the server ends")
+    Refusal::new(StatusCode::SERVICE_UNAVAILABLE, "the server is shutting down")
 }

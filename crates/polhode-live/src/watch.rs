@@ -16,7 +16,7 @@ pub(crate) fn within(most: Duration, stop: &AtomicBool) -> impl Fn() -> bool + S
 /// Refuses an answer that nobody waits for.
 pub(crate) fn is_wanted(stop: &AtomicBool) -> Result<(), Refusal> {
     match stop.load(Ordering::Relaxed) {
-        true => Err(Refusal::new(StatusCode::REQUEST_TIMEOUT, "nobody waits for the answer")),
+        true => Err(Refusal::new(StatusCode::REQUEST_TIMEOUT, "the connection was closed")),
         false => Ok(()),
     }
 }

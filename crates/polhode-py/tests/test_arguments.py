@@ -279,7 +279,7 @@ def test_paths_of_any_bytes_are_read(tmp_path: Path) -> None:
         lambda: polhode.batch.Plan("title = '\udce9'\n"),
         lambda: shapes.sphere(radius=1.0, material="\udce9"),
     ):
-        with pytest.raises(polhode.PolhodeError, match="a lone surrogate\), which is not valid text"):
+        with pytest.raises(polhode.PolhodeError, match=r"a lone surrogate\), which is not valid text"):
             call()
 
 

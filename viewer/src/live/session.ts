@@ -222,7 +222,7 @@ export class Session {
     // A text with an error has only some of its knobs; they all return when it is fixed.
     if (answer.motion || this.knobs.length === 0) [this.knobs, this.switches] = [answer.knobs, answer.switches];
     const [error] = answer.errors;
-    const trouble = { message: error?.message ?? "there is no motion", hint: error?.hint ?? null, key: this.#lastKey };
+    const trouble = { message: error?.message ?? "no motion could be computed", hint: error?.hint ?? null, key: this.#lastKey };
     // An error together with a motion belongs to an edit that could not be made. The text is
     // unchanged, and the error is shown until the next change.
     if (answer.motion && error) this.#refused = trouble;

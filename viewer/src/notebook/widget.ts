@@ -53,10 +53,10 @@ function render({ model, el }: { model: Model; el: HTMLElement }): () => void {
   };
   const controls = model.get("knobs").map((knob) => new Control(knob, (value) => turn(knob.key, value)));
   const words = element("span");
-  const back = element("button", { type: "button", title: "The knobs go back to the motion that is shown" }, "Back");
+  const back = element("button", { type: "button", title: "Reset the knobs to the motion shown" }, "Back");
   const refusal = element("p", { class: "polhode-refusal", role: "alert", hidden: true }, words, " ", back);
   const notes = element("p", { class: "polhode-notes", role: "status" });
-  const stage = element("div", { class: "polhode-stage" }, element("p", {}, "The kernel is asked for the viewer. If it has been started anew, or if there is none, run the cell again."));
+  const stage = element("div", { class: "polhode-stage" }, element("p", {}, "Loading the viewer from the kernel. If the kernel was restarted or is not running, run the cell again."));
   el.classList.add("polhode-widget");
   el.replaceChildren(
     stage,

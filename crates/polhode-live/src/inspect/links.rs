@@ -78,7 +78,7 @@ impl<'a> Meshes<'a, '_> {
     /// Returns a shape in its link's frame, or the reason why it is not shown.
     fn shape(&mut self, geometry: &'a Geometry, name: &str) -> Result<Value, String> {
         let (form, of) = self.form(&geometry.shape)?;
-        let no_place = || "its place is beyond the largest double".to_owned();
+        let no_place = || "its position is too large for a double".to_owned();
         let position = geometry.pose.position;
         let rotation = Rotation::from_quaternion(geometry.pose.rotation).map_err(|_| no_place())?;
         if !position.iter().all(|x| x.is_finite()) {
@@ -86,7 +86,7 @@ impl<'a> Meshes<'a, '_> {
         }
         let placed = PlacedForm { form, position: Position::from_array(position), rotation };
         let shape = shape_of(&placed, name, TRIANGLES);
-        let mut shape = shape.ok_or("it has no size, or numbers of single precision do not hold it")?;
+        let mut shape = shape.ok_or("its size is zero or beyond single precision")?;
         if let Some(count) = shape.get_mut("of") {
             *count = json!(of); // number before simplification
         }
@@ -113,12 +113,12 @@ impl<'a> Meshes<'a, '_> {
                 let mesh = mesh.map_err(|error| named(&error.to_string()))?;
                 return Ok((Form::Mesh(mesh), surface.triangles().len()));
             }
-            GeometryShape::Cone { .. } => return Err("a cone is not drawn".to_owned()),
+            GeometryShape::Cone { .. } => return Err("cones are not supported".to_owned()),
             GeometryShape::Other(ref what) => return Err(format!("{what} has no size")),
         };
         match sizes.iter().all(|size| *size > 0.0 && size.is_finite()) {
             true => Ok((form, 0)),
-            false => Err("its sizes are no positive numbers".to_owned()),
+            false => Err("its sizes are not positive finite numbers".to_owned()),
         }
     }
 

@@ -71,7 +71,7 @@ impl MeshInspection {
         if let Some(count) = parts.several() {
             findings.push(Marked::remark(
                 "mesh.joined",
-                format!("the {count} parts of the file are taken as one surface: triangles are numbered through all of them"),
+                format!("the {count} parts of the file are treated as one surface: triangles are numbered through all parts"),
             ));
         }
         findings.extend(assumed(contents, unit));
@@ -107,8 +107,7 @@ impl MeshInspection {
         if triangles.is_empty() {
             findings.push(Marked::remark(
                 "mesh.not_shown",
-                "the mesh is not shown: it has no size, or numbers of single precision do not hold it"
-                    .to_owned(),
+                "the mesh is not shown: its size is zero or beyond single precision".to_owned(),
             ));
         }
         findings.sort_by_key(|found| rank(found.finding.severity));
@@ -180,7 +179,7 @@ impl Marked {
     fn says_how_many(mut self, marked: usize, of: usize, what: &str) -> Self {
         if marked < of {
             // The number of pairs is incomplete above this limit.
-            let of = if of > 10_000 && what == "pairs" { "them".to_owned() } else { format!("{of}") };
+            let of = if of > 10_000 && what == "pairs" { "all".to_owned() } else { format!("{of}") };
             self.finding.message += &format!("; {marked} {what} of {of} are marked");
         }
         self
@@ -226,7 +225,7 @@ fn corners(mesh: &TriangleMesh, number: usize) -> Option<Triangle> {
 /// Returns a remark if the unit, in metres, was assumed.
 fn assumed(contents: &MeshContents, unit: f64) -> Option<Marked> {
     let word = if unit == 1.0 { "metres" } else { "millimetres" };
-    let message = format!("the file does not say its unit of length: {word} are taken by its size");
+    let message = format!("the file has no unit of length: {word} are assumed from its size");
     contents.unit.is_none().then(|| Marked::remark("mesh.unit", message))
 }
 
@@ -264,11 +263,11 @@ const fn first_triangle(error: &BodyError) -> Option<usize> {
 fn hint(code: &str) -> Option<&'static str> {
     Some(match code {
         "mesh.flipped" => "make the normals consistent in the tool that made the mesh",
-        "mesh.inverted" => "turn the normals outward in the tool that made the mesh",
-        "mesh.overlap" => "unite what goes through itself in the tool that made the mesh (boolean union)",
+        "mesh.inverted" => "flip the normals outward in the tool that made the mesh",
+        "mesh.overlap" => "unite the overlapping parts in the tool that made the mesh (boolean union)",
         "mesh.degenerate" => "merge vertices by distance in the tool that made the mesh",
-        "mesh.unit" => "export it as 3MF, glTF or COLLADA: these say their unit",
-        "mesh.more" => "the worst are listed first: mend these, and save the file",
+        "mesh.unit" => "export it as 3MF, glTF or COLLADA, which contain the unit",
+        "mesh.more" => "the worst are listed first: fix these, and save the file",
         _ => return None,
     })
 }

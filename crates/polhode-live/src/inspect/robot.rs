@@ -207,7 +207,9 @@ impl RobotFinding {
     }
 
     fn of_unplaced(model: &RobotModel, link: usize, places: &Places<'_>) -> Option<Self> {
-        let message = "it is shown at the origin: joints do not say where it stands".to_owned();
+        let message =
+            "it is shown at the origin, because its position relative to the other links is unknown"
+                .to_owned();
         let span = &model.links.get(link)?.name.span;
         Some(Self::at(places, span, Some(link), ["page.unplaced", "note"], message))
     }

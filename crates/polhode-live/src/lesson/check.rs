@@ -89,19 +89,19 @@ impl Source<'_> {
     /// Returns a text that is not empty.
     fn said(&self, text: &Spanned<String>) -> Result<String, LessonError> {
         match text.as_ref().trim() {
-            "" => Err(self.at(&text.span(), "there is nothing in this text")),
+            "" => Err(self.at(&text.span(), "this text is empty")),
             words => Ok(words.to_owned()),
         }
     }
 
     fn scenario(&self, file: &File) -> Result<Scenario, LessonError> {
-        const RULE: &str = "a lesson has either `scenario`, a file beside it, or `scenario_text`";
+        const RULE: &str = "a lesson has either `scenario`, the path of a file, or `scenario_text`";
         match (&file.scenario, &file.scenario_text) {
             (Some(name), None) => {
                 let path = self.path.parent().unwrap_or(Path::new("")).join(name.as_ref());
                 let text = fs::read_to_string(&path).map_err(|error| {
                     self.at(&name.span(), format!("{:?} cannot be read: {error}", path.display().to_string()))
-                        .hint("the name of a scenario's file, as seen from the lesson's folder")
+                        .hint("write the path of a scenario file relative to the lesson's folder")
                 })?;
                 Ok(Scenario { path, text, span: name.span(), begins: None })
             }
@@ -154,8 +154,8 @@ impl Source<'_> {
             let edit = Edit::Set { set: set.as_ref().key.clone(), value: Some(raw.to_owned()) };
             let mut reader = draft.clone();
             text = edited(&text, &[edit], |text| reader.read(&Disk, text.to_owned()).ok()).map_err(|error| {
-                self.at(&set.span(), format!("it cannot be set: {error}"))
-                    .hint("key = \"body.part[0].size[2]\", value = \"4 mm\": a value as a scenario has it, on one line")
+                self.at(&set.span(), format!("the value cannot be set: {error}"))
+                    .hint("key = \"body.part[0].size[2]\", value = \"4 mm\": write the value as in a scenario, on one line")
             })?;
         }
         let changed;
@@ -164,7 +164,7 @@ impl Source<'_> {
             Some(last) => {
                 changed = moving(draft, &text).map_err(|Unmoved { message, hint, .. }| LessonError {
                     hint,
-                    ..self.at(&last.span(), format!("the scenario with what this step sets: {message}"))
+                    ..self.at(&last.span(), format!("the scenario with the values of this step: {message}"))
                 })?;
                 &changed
             }
@@ -184,7 +184,7 @@ impl Source<'_> {
                         &working.span(),
                         format!("no heading of the worked solution begins with {:?}", working.as_ref()),
                     )
-                    .hint(format!("they are {}", named.headings.join("; "))));
+                    .hint(format!("known headings: {}", named.headings.join("; "))));
             }
         }
         Ok(LessonStep {
@@ -204,7 +204,7 @@ impl Source<'_> {
         }
         let right = *question.right.as_ref();
         if !(1..=answers.len()).contains(&right) {
-            let rule = format!("the right answer is one of 1 to {}, not {right}", answers.len());
+            let rule = format!("the right answer must be from 1 to {}, not {right}", answers.len());
             return Err(self.at(&question.right.span(), rule).hint("answers are counted from 1"));
         }
         Ok(protocol::Question {

@@ -55,7 +55,7 @@ impl File {
         toml::from_str(text).map_err(|error| {
             let span = error.span().unwrap_or(0..0);
             LessonError::at(path, text, &span, error.message().replace('\n', " "))
-                .hint("book/lessons.md has every key of a lesson, and one to begin with")
+                .hint("book/lessons.md lists the keys of a lesson and has an example")
         })
     }
 }

@@ -55,8 +55,10 @@ impl Lessons {
         }
         if path.extension().is_none_or(|ending| ending != "toml") {
             let ids: Vec<_> = INCLUDED.iter().map(|(id, _)| *id).collect();
-            return Err(LessonError::whole(&path, "there is no lesson of this name")
-                .hint(format!("one of {}; or a file of your own, which ends in .toml", ids.join(", "))));
+            return Err(LessonError::whole(&path, "unknown lesson").hint(format!(
+                "known lessons: {}; or give a file of your own with the extension .toml",
+                ids.join(", ")
+            )));
         }
         // Ids of the program's lessons contain no dot.
         let id = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -117,7 +119,7 @@ impl From<LessonError> for Error {
 impl From<Error> for Refusal {
     fn from(error: Error) -> Self {
         match error {
-            Error::Unknown => Self::new(StatusCode::NOT_FOUND, "there is no lesson of this name"),
+            Error::Unknown => Self::new(StatusCode::NOT_FOUND, "unknown lesson"),
             Error::Wrong(error) => Self {
                 hint: error.hint.clone(),
                 ..Self::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string())

@@ -84,7 +84,7 @@ fn what_a_lesson_cannot_be_is_refused_at_its_place() {
     for (k, (from, to, place, says)) in [
         ("summary = \"It turns.\"\n", "", None, "missing field `summary`"),
         ("summary", "sumary", Some([2, 1]), "unknown field `sumary`"),
-        ("\"It turns.\"", "\" \"", Some([2, 11]), "there is nothing in this text"),
+        ("\"It turns.\"", "\" \"", Some([2, 11]), "this text is empty"),
         ("\"It turns.\"", "3", Some([2, 11]), "expected a string"),
         ("ball.toml", "cube.toml", Some([3, 12]), "cannot be read"),
         ("scenario = \"ball.toml\"", "", None, "either `scenario`"),
@@ -97,11 +97,11 @@ fn what_a_lesson_cannot_be_is_refused_at_its_place() {
         ("body.part[0].radius", "body.part[1].radius", Some([7, 10]), "no number \"body.part[1].radius\""),
         ("body.part[0].radius", "body.part[0].shape", Some([7, 10]), "no number \"body.part[0].shape\""),
         ("body.part[0].mass", "body.part[3].mass", Some([8, 8]), "the scenario has no body.part[3].mass"),
-        ("\"2 kg\"", "\"-2 kg\"", Some([8, 8]), "with what this step sets"),
+        ("\"2 kg\"", "\"-2 kg\"", Some([8, 8]), "with the values of this step"),
         ("\"3. \"", "\"9. \"", Some([9, 11]), "no heading of the worked solution begins with \"9. \""),
         ("\"3. \"", "\"\"", Some([9, 11]), "no heading"),
-        ("right = 2", "right = 3", Some([10, 71]), "one of 1 to 2, not 3"),
-        ("right = 2", "right = 0", Some([10, 71]), "one of 1 to 2, not 0"),
+        ("right = 2", "right = 3", Some([10, 71]), "from 1 to 2, not 3"),
+        ("right = 2", "right = 0", Some([10, 71]), "from 1 to 2, not 0"),
         ("[\"No\", \"Yes\"]", "[\"No\"]", Some([10, 48]), "2 to 5 answers, not 1"),
         ("\"Yes\"]", "\"Yes\", \"a\", \"b\", \"c\", \"d\"]", Some([10, 48]), "2 to 5 answers, not 6"),
         ("[[step]]", "[[stop]]", Some([5, 3]), "unknown field `stop`"),
@@ -134,7 +134,7 @@ fn what_a_lesson_cannot_be_is_refused_at_its_place() {
 #[test]
 fn an_unknown_lesson_is_refused_with_the_names() {
     let error = bound(Path::new("raket")).unwrap_err();
-    assert!(error.message.contains("no lesson of this name") && error.hint.unwrap().contains("racket"));
+    assert!(error.message.contains("unknown lesson") && error.hint.unwrap().contains("racket"));
     let error = bound(Path::new("nowhere/lesson.toml")).unwrap_err();
     assert!(error.message.contains("cannot be read"), "{error}");
 }

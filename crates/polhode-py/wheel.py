@@ -49,7 +49,7 @@ def problems(path: Path, platform: str | None = None) -> list[str]:
     wrong += [f"no file {name}" for name in FILES if name not in names]
     if not any(re.fullmatch(r"polhode/_native(\.abi3\.so|\.pyd)", name) for name in names):
         wrong.append("no module polhode._native of the stable ABI")
-    wrong += [f"{name} is no file of a package" for name in names if "__pycache__" in name or name.startswith("tests/")]
+    wrong += [f"{name} is not a file of a package" for name in names if "__pycache__" in name or name.startswith("tests/")]
     if "polhode=polhode_command:main" not in commands.replace(" ", ""):
         wrong.append("no command polhode")
     wrong += [f"tag {tag} is not of Python 3.10 and later by the stable ABI" for tag in tags if not tag.startswith("cp310-abi3-")]

@@ -45,7 +45,7 @@ pub(crate) fn required_torque<'py>(
     if file.scenario.prescribed().is_none() {
         let hint = "write [prescribed] with axis = [0, 0, 1] and rate = \"3 rad/s\", or [shaft]; simulate computes other motions";
         return Err(refused(
-            "the scenario has no [prescribed] motion, so there is no torque to compute",
+            "the scenario has no [prescribed] motion, so no torque can be computed",
             Some(hint),
         ));
     }

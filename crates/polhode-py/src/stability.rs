@@ -30,7 +30,7 @@ pub(crate) fn scenario_stability(
         if file.scenario.history().is_some() {
             let hint =
                 "polhode.simulate computes its motion; delete [mass_history] for the body at the start";
-            return Err(refused("the mass properties change, so there is no steady motion", Some(hint)));
+            return Err(refused("the mass properties change, so steady motions are not defined", Some(hint)));
         }
         let source = source(&path, &file);
         match file.scenario.ground() {

@@ -1,4 +1,4 @@
-"""Parts lists: the answers of the command, of dataframes and of columns; what is asked, and what is refused."""
+"""Parts lists: the answers of the command, of dataframes and of columns; options and errors."""
 
 from __future__ import annotations
 

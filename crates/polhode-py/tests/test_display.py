@@ -105,7 +105,7 @@ def test_who_is_no_kernel_gets_the_viewer_each_time() -> None:
 
 
 class Kernel:
-    """As much of a kernel as is asked."""
+    """The parts of a kernel that the widget needs."""
 
     cell: str | None = None
 
@@ -131,7 +131,7 @@ def test_the_viewer_stays_where_it_was_brought(monkeypatch: pytest.MonkeyPatch) 
     assert [shell.run("a"), shell.run("b"), shell.run(None)] == [True, False, False], "the first cell was run again"
     other = Shell()
     monkeypatch.setattr(_display, "_shell", lambda: other)
-    assert [other.run(None), other.run(None)] == [True, False], "of a kernel that was started anew"
+    assert [other.run(None), other.run(None)] == [True, False], "of a kernel that was restarted"
 
 
 def test_an_output_holds_no_markup_of_others() -> None:

@@ -1,4 +1,4 @@
-"""Ensembles: each member's bits are its own, whatever is beside it."""
+"""Ensembles: each member has the bits that it has alone."""
 
 from __future__ import annotations
 

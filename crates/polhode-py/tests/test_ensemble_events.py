@@ -96,7 +96,7 @@ def test_events_switch_torques() -> None:
 
 
 def test_events_of_functions() -> None:
-    """A function of many members is told which one is alone."""
+    """A vectorized function receives the indices of the members."""
     drags = RNG.uniform(0.2, 0.6, size=COUNT)
     many = FunctionTorque(law=lambda omega, member: -drags[member, None] * omega, vectorized=True)
     states = made(torques=[many], events=[SLOW]).at(TIMES, tolerance=1e-10)

@@ -52,7 +52,7 @@ def start(k: int) -> Start:
 
 
 def require_the_bits_of_each(ensemble: polhode.Ensemble, given: list[dict[str, Any]]) -> None:
-    """Of :func:`polhode.simulate`, but for the start itself, which there is as it was given."""
+    """Requires the bits of :func:`polhode.simulate`, except for the start, which is returned as given."""
     states = ensemble.at(TIMES, threads=2)
     assert len(ensemble) == len(given) == COUNT and not states.failures
     assert states == ensemble.at(TIMES, threads=1)

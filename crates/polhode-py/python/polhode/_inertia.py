@@ -258,9 +258,9 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
     if options["parts"] is not None and options["union"]:
         raise PolhodeError("parts and union are both given: where parts overlap, the density would be ambiguous")
     for whole in ("hull", "shell"):
-        for mend in ("weld", "fill"):
-            if options[whole] is not None and options[mend] is not None:
-                raise PolhodeError(f"{whole} and {mend} are both given: a hull or a sheet does not need a closed mesh")
+        for repair in ("weld", "fill"):
+            if options[whole] is not None and options[repair] is not None:
+                raise PolhodeError(f"{whole} and {repair} are both given: a hull or a sheet does not need a closed mesh")
     if options["shell"] is not None and options["union"]:
         raise PolhodeError("shell and union are both given: a sheet follows the surface as it is")
     if options["hull"] is not None and options["shell"] is not None:

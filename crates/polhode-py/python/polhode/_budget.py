@@ -15,7 +15,7 @@ import numpy.typing as npt
 from . import _arrays, _native, _toml
 from ._arrays import Floats
 from ._error import PolhodeError
-from ._estimate import Estimate, floats
+from ._estimate import Estimate, counted, floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of
 from ._printed import Printed
 from ._record import Record
@@ -138,7 +138,7 @@ class BudgetCase(Record):
 
     def __repr__(self) -> str:
         name = "" if self.name is None else f"{self.name!r}: "
-        return f"BudgetCase({name}{self.estimate['mass']}, {len(self.rows)} rows)"
+        return f"BudgetCase({name}{self.estimate['mass']}, {counted(len(self.rows), 'row')})"
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -67,7 +67,7 @@ def identify(plan: str | os.PathLike[str] | Mapping[str, object]) -> TumbleResul
     ...     warnings.simplefilter("ignore")
     ...     bat = polhode.identify(plan)
     >>> bat
-    SwingResult('A bat': 1 test, the whole tensor is not known)
+    SwingResult('A bat': 1 test, the tensor is only partly known)
     >>> print(bat.swings[0].moment)
     moment: 0.0374351 ± 0.00027 kg·m²
     """

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from . import _html, _native
 from ._arrays import Floats
 from ._error import in_python
+from ._estimate import counted
 from ._record import same
 
 
@@ -323,9 +324,9 @@ class Judgement:
 
     def __repr__(self) -> str:
         if self.is_exact:
-            return f"Judgement({len(self)} rows, correct to {self.exact_to:.1e} rad)"
+            return f"Judgement({counted(len(self), 'row')}, correct to {self.exact_to:.1e} rad)"
         cause = "no cause found" if self.likeliest is None else self.likeliest.id
-        return f"Judgement({len(self)} rows, up to {self.largest_attitude_error:.1e} rad off, {cause})"
+        return f"Judgement({counted(len(self), 'row')}, up to {self.largest_attitude_error:.1e} rad off, {cause})"
 
     def __str__(self) -> str:
         return self.report()

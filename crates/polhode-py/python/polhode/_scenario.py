@@ -180,7 +180,7 @@ class Scenario:
     def _of(cls, tables: Mapping[str, Any], folder: str, functions: Mapping[tuple[str, int], Section] = MappingProxyType({})) -> Scenario:
         """Makes the scenario of a file's tables.
 
-        ``functions`` are the torques and events that no file can hold, by table and index.
+        ``functions`` are the torques and events that cannot be written into a file, by table and index.
         """
         known = {"title", "body", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
         other = [key for key in tables if key not in known]
@@ -216,7 +216,7 @@ class Scenario:
         ------
         PolhodeError
             If a torque is a :class:`polhode.scenario.FunctionTorque`, or the measure of an event is
-            a function, which no file can hold.
+            a function, which cannot be written into a file.
         """
         if self._functions():
             raise PolhodeError("a FunctionTorque is a Python function, which cannot be written into a file", "convert it to a formula by polhode.scenario.torque")
@@ -381,7 +381,7 @@ class Scenario:
         return [(k, needs_momentum(measure), measured(measure)) for k, measure in events if callable(measure)]
 
     def _own(self) -> dict[tuple[str, int], Section]:
-        """Returns the torques and events that no file can hold, by table and index."""
+        """Returns the torques and events that cannot be written into a file, by table and index."""
         torques = {("torque", k): one for k, one in enumerate(self.torques) if isinstance(one, FunctionTorque)}
         return {**torques, **{("event", k): one for k, one in enumerate(self.events) if callable(one.measure)}}
 
@@ -432,7 +432,7 @@ class Scenario:
     def __str__(self) -> str:
         """Returns the text of the file.
 
-        Functions, which no file can hold, are listed first and replaced by zero.
+        Functions, which cannot be written into a file, are listed first and replaced by zero.
         """
         own = "".join(f"# {table}[{k}] is a Python function, which cannot be written into a file; zero is written instead.\n" for table, k in self._own())
         return own + self._text()

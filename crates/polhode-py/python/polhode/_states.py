@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Iterator
 import numpy as np
 
 from ._arrays import Floats
+from ._estimate import counted
 from ._record import Record, same
 from ._table import Column, Table, Variable, vector
 
@@ -89,7 +90,7 @@ class States(Table):
     def __repr__(self) -> str:
         if not np.ndim(self.times):
             return f"States(t = {self.times:.6g} s, omega={self.omega.tolist()}, attitude={self.attitude.tolist()})"
-        return f"States({len(self)} times{ends(self.times)})"
+        return f"States({counted(len(self), 'time')}{ends(self.times)})"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -136,7 +137,7 @@ class MotionError(Table, Record):
             return f"MotionError(attitude {self.attitude:.2g} rad, ω {self.omega:.2g})"
         if not len(self):
             return "MotionError(0 times)"
-        return f"MotionError({len(self)} times, attitude up to {self.attitude.max():.2g} rad, ω up to {self.omega.max():.2g})"
+        return f"MotionError({counted(len(self), 'time')}, attitude up to {self.attitude.max():.2g} rad, ω up to {self.omega.max():.2g})"
 
 
 def ends(times: Floats) -> str:

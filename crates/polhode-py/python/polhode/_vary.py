@@ -135,7 +135,7 @@ def _unrounded(matrix: Floats, *, is_correlation: bool) -> tuple[tuple[float, ..
 
 def plan_lines(scenario: Scenario, vary: Sequence[Vary], sweep: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Returns the lines of a plan's file, each with the argument that it comes from."""
-    # Functions, which no file can hold, are refused here.
+    # Functions, which cannot be written into a file, are refused here.
     text = scenario.to_toml()
     lines = [("scenario", line) for line in text.splitlines()]
     given = {key: _section.written(_section.plain(key, value)) for key, value in sweep.items() if value is not None}

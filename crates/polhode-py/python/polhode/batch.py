@@ -284,7 +284,7 @@ def simulate(rows: Any, plan: Plan, *, threads: int | None = None) -> Any:
     Raises
     ------
     PolhodeError
-        If a column is missing, has rows without a value, or has a unit other than the plan's.
+        If a column is missing, has missing values, or has a unit other than the plan's.
     TypeError
         If a column does not contain numbers.
 

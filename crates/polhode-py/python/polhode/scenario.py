@@ -548,7 +548,7 @@ class Event(Section):
         others; or a function of the state that returns a number. Its parameters are those described
         in :func:`torque`, without ``kinetic_energy``. Python calls it with numbers and arrays along
         the motion, and its sign changes are found as for other measures. It should be continuous,
-        and no file can hold it. :func:`polhode.simulate` raises its exceptions.
+        and it cannot be written into a file. :func:`polhode.simulate` raises its exceptions.
     value
         Value that the measure passes, in SI units or with its unit; for a function a number, by
         default 0.

@@ -298,7 +298,7 @@ def test_answers_are_values(found: dict[str, Any]) -> None:
         assert 'sandbox="allow-scripts"' in result._repr_html_()
         assert all(name in result.estimate._repr_html_() for name in result.estimate.names)
         assert len(repr(result)) < 120
-    with pytest.raises(KeyError, match="'Iww' is none of mass, center x"):
+    with pytest.raises(KeyError, match="'Iww' is not one of mass, center x"):
         found["payload"].estimate["Iww"]
 
 

@@ -247,7 +247,7 @@ def test_what_is_no_motion_is_refused(given: dict[str, Any], says: str) -> None:
 
 
 def test_what_cannot_be_read_is_asked() -> None:
-    """Of a motion that is none of the scenario's, and of two readings that both fit."""
+    """Of a motion that is not one of the scenario's, and of two readings that both fit."""
     odd = np.random.default_rng(4).normal(size=(len(TIMES), 4))
     with pytest.raises(polhode.PolhodeError, match="no interpretation") as error:
         polhode.judge(BODY, times=TIMES, attitude=odd)

@@ -97,7 +97,7 @@ def test_what_is_wrong_in_an_open_file_has_its_place() -> None:
         polhode.inertia(BRACKET, format="stl")
     with pytest.raises(TypeError, match="bytes or text, not list"):
         polhode.inertia(SimpleNamespace(read=lambda: [1, 2], name="a.stl"))
-    with pytest.raises(polhode.PolhodeError, match="density means nothing for file.xyz"):
+    with pytest.raises(polhode.PolhodeError, match="density has no effect on file.xyz"):
         polhode.inertia(io.StringIO("1\n\nO 0 0 0\n"), format="xyz", density=1.0)
     with (ROOT / "examples" / "water.toml").open() as file, pytest.raises(FileNotFoundError) as missing:
         polhode.inertia(file)

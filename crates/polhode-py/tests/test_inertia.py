@@ -39,7 +39,7 @@ def test_parts_that_overlap_are_united_if_asked() -> None:
     (a, b), (c, d) = ([0.0, 0.0, 0.0], [3.0, 2.0, 1.0]), ([1.0, 0.5, -0.25], [3.5, 1.0, 0.75])
     vertices = np.vstack([a + corner * b, c + corner * d])
     triangles = np.vstack([faces, np.array(faces) + 8])
-    with pytest.raises(polhode.PolhodeError, match="--union, or union = true"):
+    with pytest.raises(polhode.PolhodeError, match="union=True, or union = true"):
         polhode.inertia((vertices, triangles), unit="m", density=4.0)
     with pytest.warns(polhode.PolhodeWarning, match=r"2 parts were united.*\[mesh.united\]"):
         body = polhode.inertia((vertices, triangles), unit="m", density=4.0, union=True)

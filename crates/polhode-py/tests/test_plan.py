@@ -162,7 +162,7 @@ def test_what_varies_is_looked_at() -> None:
         SCENARIO.replace(torques=[FunctionTorque(law=lambda t: [0.0, 0.0, t])]),
         SCENARIO.replace(events=[Event(measure=lambda t: t - 1.0)]),
     ):
-        with pytest.raises(polhode.PolhodeError, match="no file can hold"):
+        with pytest.raises(polhode.PolhodeError, match="cannot be written into a file"):
             Plan(own, vary=[Vary(key="start.omega[0]", relative=0.1)], members=3)
 
 

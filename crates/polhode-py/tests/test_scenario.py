@@ -288,7 +288,7 @@ def test_a_law_of_numbers_raises_its_own_error(generic: polhode.MassProperties) 
     assert any(entry.name == "law" for entry in caught.traceback)
     with pytest.raises(polhode.PolhodeError, match="shape"):
         polhode.simulate(made.replace(torques=[FunctionTorque(law=lambda t: [1.0, 2.0])]))
-    assert "no file can hold" in _message(made.to_toml)
+    assert "cannot be written into a file" in _message(made.to_toml)
     # Nor does a page show a text that says something else.
     still = polhode.simulate(made.replace(torques=[FunctionTorque(law=lambda t: [0.0, 0.0, t])]))
     assert 'model = \\"constant\\"' not in still.page()

@@ -22,7 +22,7 @@ def test_without_opencascade_it_says_what_to_install(tmp_path: Path, monkeypatch
     (tmp_path / "part.step").write_text("ISO-10303-21;")
     with pytest.raises(ImportError, match=r"pip install cadquery-ocp"):
         polhode.inertia(tmp_path / "part.step", density=1.0)
-    with pytest.raises(polhode.PolhodeError, match="unit means nothing for .* which is a STEP file"):
+    with pytest.raises(polhode.PolhodeError, match="unit has no effect on .* which is a STEP file"):
         polhode.inertia(tmp_path / "part.stp", unit="mm")
 
 

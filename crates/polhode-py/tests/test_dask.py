@@ -143,7 +143,7 @@ def test_no_worker_is_told_again_and_again(monkeypatch: pytest.MonkeyPatch) -> N
 @pytest.mark.parametrize(
     ("raised", "wanted", "says"),
     [
-        (RuntimeError("KilledWorker"), PolhodeError, "^dask://local cannot compute the plan: RuntimeError: KilledWorker\nhint: what is done"),
+        (RuntimeError("KilledWorker"), PolhodeError, "^dask://local cannot compute the plan: RuntimeError: KilledWorker\nhint: finished parts are saved"),
         (ConnectionError("refused"), ConnectionError, "^refused$"),
         (PolhodeError("the plan is another one"), PolhodeError, "^the plan is another one$"),
         (KeyboardInterrupt(), KeyboardInterrupt, "^$"),

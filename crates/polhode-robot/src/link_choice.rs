@@ -48,7 +48,7 @@ pub struct LinkChoice {
     #[cfg_attr(feature = "arguments", arg(long, value_name = "LINK", group = "of_robot"))]
     pub subtree: Option<String>,
     /// A table of all links of a robot and the whole robot: as text, or with --json or --csv.
-    #[cfg_attr(feature = "arguments", arg(long, group = "of_robot", conflicts_with_all = ["about", "along", "axes", "as_format"]))]
+    #[cfg_attr(feature = "arguments", arg(long, group = "of_robot", conflicts_with_all = ["about", "along", "as_format"]))]
     pub table: bool,
     /// The value of a joint, rad or m or with its unit: elbow="30 deg". Coupled joints follow;
     /// other joints are at zero.

@@ -245,7 +245,7 @@ impl<'s, 'a> Rows<'s, 'a> {
             if let Some(known) = &self.plan.configurations
                 && !known.iter().any(|other| other == name)
             {
-                let error = self.reader.invalid(cell, format!("of {}", known.join(", ")));
+                let error = self.reader.invalid(cell, format!("one of {}", known.join(", ")));
                 let near = polhode_source::nearest(name, known.iter().map(String::as_str));
                 return Err(match near {
                     Some(near) => error.with_hint(format!("did you mean {near}?")),

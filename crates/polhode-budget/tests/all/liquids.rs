@@ -226,7 +226,7 @@ fn what_is_no_liquid_is_refused() {
         list(MASSES, [1.0; 2], given)
     };
     let refused = |list: PartsList| list.budget().unwrap_err().to_string();
-    let rule = "and has to be zero or positive, and finite";
+    let rule = "but must be zero or positive, and finite";
     assert_eq!(
         refused(given(-0.1, 0.0)),
         format!("the standard deviation of the amount of the liquid of \"water\" is -0.1, {rule}")

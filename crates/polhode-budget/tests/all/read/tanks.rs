@@ -113,7 +113,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "# shape = \"cylinder\"",
         "# shape = \"sphere\"",
-        "length = \"300 mm\" must be left out of a tank that is a sphere | its sizes are radius",
+        "length = \"300 mm\" must be left out: the tank is a sphere | its sizes are radius",
     ),
     ("# shape = \"cylinder\"\n", "", "the key shape is missing in [[tank]]"),
     ("# settles = \"-x\"\n", "", "the key settles is missing in [[tank]]"),

@@ -155,7 +155,7 @@ impl Checked {
     pub fn about_policy(&self) -> String {
         let excluded = counted(self.excluded, "file");
         let excluded =
-            (self.excluded > 0).then(|| format!("excluded: {excluded}, by `exclude` in the configuration\n"));
+            (self.excluded > 0).then(|| format!("excluded: {excluded}, by exclude in the configuration\n"));
         let remark = |Remark { file, place: (line, column), code, severity, message }: &Remark| {
             Some(format!("{}: {file}:{line}:{column} [{code}]: {message}\n", (*severity)?.name()))
         };

@@ -143,7 +143,7 @@ impl Checked {
         let mut lines = Vec::new();
         if self.excluded > 0 {
             lines.push(format!(
-                "excluded: {}, by `exclude` in the configuration",
+                "excluded: {}, by exclude in the configuration",
                 counted(self.excluded, "file")
             ));
         }

@@ -91,7 +91,7 @@ fn a_body_goes_on_to_other_commands() {
     let off = read.body().center_of_mass()
         - Position::from_array(numbers(&estimate["center_of_mass"]).try_into().unwrap());
     assert!(off.norm() < 1e-16);
-    assert!(stdout(&scratch.run(&["stability", "whole.toml"])).contains("permanent"));
+    assert!(stdout(&scratch.run(&["stability", "whole.toml"])).contains("Steady spins"));
     let error = refused(&scratch.run(&["budget", "cubesat.csv", "--body"]), 2);
     assert!(error.contains("name one of \"deployed\", \"stowed\""), "{error}");
     let error = refused(&scratch.run(&["budget", "cubesat.csv", "--configuration", "flying"]), 2);

@@ -318,7 +318,7 @@ fn robots_are_asked_for_a_link() {
     scratch.write("water.sdf", "water\n\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n    0.0000    0.0000    0.0000 O   0  0\nM  END\n$$$$\n");
     assert!(number(&json(&scratch.run(&["inertia", "water.sdf", "--json"]))["mass"]) < 1e-25);
     let text = refused(&scratch.run(&["inertia", "water.sdf", "--link", "base"]), 2);
-    assert!(text.contains("is for a robot model"), "{text}");
+    assert!(text.contains("is only for a robot model"), "{text}");
 }
 
 #[test]

@@ -151,7 +151,7 @@ fn what_is_left_out_or_off_is_said_in_each_form() {
         "polhode.toml",
         "[check]\nexclude = [\"**/old/**\"]\n[check.rules]\n\"inertia.triangle\" = \"off\"\n",
     );
-    const LEFT_OUT: &str = "excluded: 1 file, by `exclude` in the configuration";
+    const LEFT_OUT: &str = "excluded: 1 file, by exclude in the configuration";
     const OFF: &str = "off: 1 finding of disabled rules";
     for form in ["text", "sarif", "junit", "github", "markdown"] {
         let text = printed(&scratch.run(&["check", "src", "--format", form]), 0);

@@ -188,7 +188,7 @@ fn a_fix_without_a_file_writes_nothing() {
     scratch.write("r.urdf", &robot("\n"));
     let run = |flags: &[&str]| refused(&scratch.run(&[&["check"], flags].concat()), 2);
     let text = run(&["--fix", "r.urdf"]);
-    assert!(text.contains("no model is given") && text.contains("polhode check r.urdf --fix"), "{text}");
+    assert!(text.contains("no model is named") && text.contains("polhode check r.urdf --fix"), "{text}");
     assert!(run(&["r.urdf", "--force", "--fix"]).contains("--force"));
     assert!(run(&["r.urdf", "--table", "--fix"]).contains("--table"));
     assert!(run(&["r.urdf", "--format", "sarif", "--fix"]).contains("--format"));

@@ -116,7 +116,7 @@ fn molecules_particles_and_voxels_are_bodies() {
     let grid = ["inertia", "grid.nrrd", "--unit", "cm", "--per-value", "1 g/cm^3", "--json"];
     near(&json(&scratch.run(&grid))["mass"], 32e-3);
     let text = refused(&scratch.run(&["inertia", "grid.nrrd", "--density", "1 kg/m^3"]), 2);
-    assert!(text.contains("is for a mesh") && text.contains("a voxel grid"), "{text}");
+    assert!(text.contains("is only for a mesh") && text.contains("a voxel grid"), "{text}");
 }
 
 #[test]

@@ -46,7 +46,8 @@ fn pulses_are_counted_before_they_are_waited_for() {
         for command in ["simulate", "explain"] {
             let text = refused(&bounded(&scratch, &[command, name]), 2);
             assert!(
-                text.contains(&format!("{count} pulses")) && text.contains("more than 100000000"),
+                text.contains(&format!("{count} pulses"))
+                    && text.contains("more than the limit of 100000000"),
                 "{text}"
             );
             assert!(text.contains(&format!("{name}:12:")) && text.contains("hint: "), "{text}");

@@ -82,7 +82,7 @@ fn a_comment_of_no_use_is_a_finding() {
         ("<!-- polhode: allow: why -->", "allow.malformed", "write polhode: allow RULE"),
         ("<!-- polhode: allow : why -->", "allow.malformed", "the rule is missing"),
         ("<!-- polhode: ignore -->", "allow.malformed", "cannot be read"),
-        ("<!-- polhode: allow inertia.zero: why -->", "allow.unused", "no inertia.zero of left"),
+        ("<!-- polhode: allow inertia.zero: why -->", "allow.unused", "no finding inertia.zero of left"),
     ] {
         let judged = judged(&Policy::default(), "r.urdf", &robot(comment, ""));
         let finding =
@@ -97,7 +97,7 @@ fn a_comment_of_no_use_is_a_finding() {
         &robot("<!-- polhode: allow inertia.zero, inertia.triangle: why -->", ""),
     );
     assert_eq!(codes(&two), [("allow.unused", "left"), BOTH[1]]);
-    assert_eq!(two.open[0].message, "no inertia.zero of left");
+    assert_eq!(two.open[0].message, "no finding inertia.zero of left");
     // Outside of links it applies only to findings about the model. Other comments have no effect.
     let text = robot("", "")
         .replace("</robot>", "<!-- polhode: allow inertia.triangle: why --></robot><!-- Polhode -->");
@@ -216,7 +216,7 @@ fn a_group_is_allowed_if_all_of_it_is() {
     assert_eq!(reasons.matches("pad").count(), 2, "{reasons}");
     let found = judged(&Policy::default(), "r.urdf", &commented);
     let unused = found.open.iter().find(|finding| finding.code == "allow.unused").unwrap();
-    let expected = "no mass.massless_collision of right_tip alone: the finding is also about left_tip, which is not allowed";
+    let expected = "no finding mass.massless_collision of right_tip alone: the finding is also about left_tip, which is not allowed";
     assert_eq!(unused.message, expected);
 }
 

@@ -489,8 +489,8 @@ fn rods_and_points_carry_a_warning() {
     let rod = ExportBody::new("rod", *crate::common::rod().body());
     let point = ExportBody::new("point", *crate::common::point().body());
     for format in [ExportFormat::Urdf, ExportFormat::Sdf, ExportFormat::Mjcf, ExportFormat::MjcfPrincipal] {
-        assert!(write(format, &rod).contains("<!-- a rod: "));
-        assert!(write(format, &point).contains("<!-- a point: "));
+        assert!(write(format, &rod).contains("<!-- a rod without moment of inertia about its axis, "));
+        assert!(write(format, &point).contains("<!-- a point mass without moments of inertia, "));
         assert!(!write(format, &generic()).contains("refuse"));
     }
 }

@@ -273,7 +273,7 @@ fn mistakes_have_their_places() {
             "",
         ),
         (format!("{burn}{EXIT}{EXIT}"), "[[mass_history.exit]]", "the key share is missing", "write"),
-        (format!("{burn}{EXIT}share = 0.7\n"), "[[mass_history.exit]]", "they are 0.7", ""),
+        (format!("{burn}{EXIT}share = 0.7\n"), "[[mass_history.exit]]", "the sum is 0.7", ""),
         (
             format!("{burn}{EXIT}axis = [0, 0, 1]\n"),
             "axis = [0, 0, 1]",

@@ -285,7 +285,7 @@ fn a_told_unit_is_positive() {
 fn a_told_sign_does_not_overrule_a_proof() {
     let text = solidworks(&generic(), GRAMS);
     let error = read(&text, &told(ProductConvention::Negative)).unwrap_err();
-    assert!(error.to_string().contains("parallel axes prove"), "{error}");
+    assert!(error.to_string().contains("proved by parallel axes"), "{error}");
     assert!(read(&text, &told(ProductConvention::Positive)).is_ok());
 }
 

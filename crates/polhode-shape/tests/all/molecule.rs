@@ -370,7 +370,7 @@ fn malformed_tables_and_columns_say_where() {
         (
             counts("100  0  0     0  0            999") + atom,
             "f:4:1: 100 atoms are declared, but the file has 1",
-            "cut",
+            "truncated",
         ),
         (one.clone() + &shifted, "f:5:", "columns 1 to 10"),
         (one.clone() + atom, "f:6:1: expected M  END, found the end of the file", "truncated"),

@@ -60,7 +60,7 @@ fn bodies_of_every_kind_fit_the_schema() {
         json!({ "files": ["two.obj"], "shell": 0.001, "density": 2700 }),
         json!({ "files": ["two.obj"], "union": true, "material": "steel" }),
         json!({ "files": ["two.obj", "points.csv", "water.xyz", "missing.stl"] }),
-        json!({ "files": ["water.xyz"], "isotopes": "average", "axes": true }),
+        json!({ "files": ["water.xyz"], "isotopes": "average" }),
         json!({ "files": ["broken.txt", "a.toml"] }),
     ] {
         answer(request.clone()).unwrap_or_else(|failure| panic!("{request}: {failure}"));
@@ -104,7 +104,6 @@ fn requests_fit_the_schema() {
         "fill": "2 mm", "union": true, "write-mesh": "b.stl", "unit": "mm", "mass-unit": "g",
         "isotopes": "average", "products": "negative", "decimal": "comma", "spacing": "1 mm,1 mm,2 mm",
         "origin": "0,0,0", "per-value": "1 g/cm^3", "format": "stl", "about": "0,0,12 mm", "along": "1,0,0,0",
-        "axes": true,
     });
     let default = serde_json::to_value(Request::default()).unwrap();
     for value in [default, full] {

@@ -64,7 +64,7 @@ fn numbers_that_cannot_be_one_are_refused() {
     refuses(
         &with("['start.spin.body[0]', 'start.spin.body[1]']"),
         "equal to start.spin.body[0]",
-        "same value",
+        "same written value",
     );
     refuses(&with("['body.part[0].mass', 'body.part[0].mass']"), "different from", "leave it out");
     refuses(&with("['body.part[0].mass']"), "one key, or an array", "write key");

@@ -208,7 +208,7 @@ fn values_of_the_wrong_type_or_length_are_refused() {
     refuses(
         &format!("{BALL}{RUN}tolerance = «1979-05-27»"),
         "tolerance must be a number, not a date",
-        "it has",
+        "write a plain number, without unit and quotes",
     );
 }
 

@@ -373,7 +373,7 @@ fn events_that_cannot_be_are_refused() {
     );
     refuses(
         &event("measure='formula'\nformula=«'wx + t'»\nvalue=1"),
-        "formula = 'wx + t' must be a formula of the state (column 4: + of an angular velocity and a time): the dimensions differ",
+        "formula = 'wx + t' must be a formula of the state (column 4: + of an angular velocity and a time: the dimensions differ)",
         "",
     );
     refuses(

@@ -11,7 +11,7 @@ use serde_json::{Map, Number, Value};
 /// let read = polhode_source::json_value(br#"{"mass": 1, "part": {"mass": 2}}"#)?;
 /// assert_eq!(read["part"]["mass"], 2);
 /// let error = polhode_source::json_value(br#"{"part": {"mass": 1, "mass": 2}}"#).unwrap_err();
-/// assert!(error.to_string().starts_with("the key \"mass\" stands twice in one object at line 1"));
+/// assert!(error.to_string().starts_with("duplicate key \"mass\" in an object at line 1"));
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 ///

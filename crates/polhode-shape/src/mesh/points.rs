@@ -85,7 +85,7 @@ impl Separator {
 /// use polhode_shape::mesh::points::read;
 /// let contents = read(b"# a scan\n0, 0, 0, 7\n1.5,0,0,12\n0,2e-1,0,9\n0,0,-3,7\n")?;
 /// assert_eq!(contents.parts[0].mesh.coordinates()[2], [0.0, 0.2, 0.0]);
-/// assert!(contents.findings[0].message.contains("behind the third"));
+/// assert!(contents.findings[0].message.contains("after the third"));
 /// let error = read(b"0 0 0\nC 1 2 3\n").unwrap_err();
 /// assert_eq!(error.kind.to_string(), "expected the three coordinates of a point, found \"C\"");
 /// assert!(read(b"0,5 0,25 0,75\n").unwrap_err().kind.to_string().contains("decimal comma?"));

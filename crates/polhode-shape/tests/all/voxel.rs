@@ -250,7 +250,7 @@ fn what_a_file_does_not_say_is_asked_and_never_guessed() {
         VoxelOptions { origin: Some([1.0; 3]), ..nothing },
     ] {
         let error = voxels.grid(&options).unwrap_err();
-        assert!(error.to_string().contains("left out"), "{error}");
+        assert!(error.to_string().contains("must be absent"), "{error}");
     }
     let file = npy(1, "|u1", false, "(2, 3, 4)", &numbers(false));
     for spacing in [[0.0, 1.0, 1.0], [1.0, f64::NAN, 1.0], [1e200; 3]] {

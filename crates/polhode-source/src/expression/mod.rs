@@ -108,7 +108,7 @@ impl polhode::body::density::DensityField for Expression {
 ///
 /// let error = measured("wx + 2", &variables, None).unwrap_err();
 /// assert_eq!(error.to_string(), "column 4: + of an angular velocity and a plain number: the dimensions differ");
-/// assert_eq!(error.hint().unwrap(), "a number has its unit behind it, such as 30 deg/s");
+/// assert_eq!(error.hint().unwrap(), "write the unit after the number, such as 30 deg/s");
 /// # Ok::<(), polhode_source::expression::ExpressionError>(())
 /// ```
 ///

@@ -121,7 +121,7 @@ def test_configurations_have_names() -> None:
     assert found["flat"].inertia[0, 0] < found["tall"].inertia[0, 0]
     with pytest.raises(polhode.PolhodeError, match="several configurations: 'flat', 'tall'"):
         found.mass
-    with pytest.raises(KeyError, match="none of flat, tall"):
+    with pytest.raises(KeyError, match="not one of flat, tall"):
         found["long"]
     only = polhode.budget(columns, plan=PLAN, configuration="tall")
     assert only.mass == found["tall"].mass

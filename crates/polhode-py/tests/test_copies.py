@@ -132,7 +132,7 @@ def plate() -> polhode.PayloadResult:
     force = mass * (free + np.cross(alpha, center) + np.cross(omega, np.cross(omega, center)))
     torque = mass * np.cross(center, free) + alpha @ about + np.cross(omega, omega @ about)
     force[17] += 5.0
-    with pytest.warns(polhode.PolhodeWarning, match="left out"):
+    with pytest.warns(polhode.PolhodeWarning, match="discarded"):
         return polhode.identify_payload(
             times=0.1 * np.arange(80),
             omega=omega,

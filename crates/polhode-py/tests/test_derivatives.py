@@ -196,7 +196,7 @@ def test_a_motion_that_stops_has_derivatives_as_far_as_it_goes() -> None:
 
 
 def test_what_has_no_derivatives_is_refused() -> None:
-    with pytest.raises(polhode.PolhodeError, match=r'derivatives\[1\] = "torque\[0\].stiffness" must be a number') as error:
+    with pytest.raises(polhode.PolhodeError, match=r'derivatives\[1\] = "torque\[0\].stiffness" must be a parameter of a torque') as error:
         polhode.simulate(PUSHED, derivatives=["torque[1].xy", "torque[0].stiffness"])
     assert "torque[0].x, torque[0].y, torque[0].z, torque[0].factor, torque[1].xx" in str(error.value.hint)
     for odd in ("torque[2].factor", "torque[x].y", "start.spin.body[0]", "torque[0]y"):
@@ -229,7 +229,7 @@ def test_covariances_that_are_none_are_refused() -> None:
         ({"inertia": odd}, "the other side of the diagonal"),
         ({"inertia": twisted}, "two variances"),
         ({"joint": np.eye(13)}, r"joint must have the shape \(12, 12\)"),
-        ({"joint": np.eye(12), "start": np.eye(6)}, "give it, or start"),
+        ({"joint": np.eye(12), "start": np.eye(6)}, "give either joint or start"),
         ({"start": np.full((6, 6), np.nan)}, "finite"),
     ]:
         with pytest.raises(polhode.PolhodeError, match=message):

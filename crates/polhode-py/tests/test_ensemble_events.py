@@ -147,7 +147,7 @@ def test_mistakes_are_refused() -> None:
         ({"events": [[]] * 3 + [[SLOW, Event(measure="colour", value=4.0)]] + [[]] * 5}, r"events\[3\]\[1\].measure: "),
         ({"events": [Event(measure="time", value=1.0, then={"switch": "push", "on": True})]}, r"events\[0\].then: "),
         ({"events": [Event(measure="total_energy", value=1.0)], "torques": [DRAG]}, "member 0: .*potential"),
-        ({"events": [[SLOW]] * 4}, "events has 4: there must be as many"),
+        ({"events": [[SLOW]] * 4}, "events has 4: give one for each member"),
     ):
         with pytest.raises(polhode.PolhodeError, match=says):
             made(**given)

@@ -182,7 +182,7 @@ def test_copies_and_equality() -> None:
     ("changed", "says"),
     [
         ({"pivot": PIVOTS[:3]}, "body has 11, omega has 11, attitude has 11, pivot has 3|omega has 11.*pivot has 3"),
-        ({"torques": DRAGS[:4]}, "torques has 4: there must be as many"),
+        ({"torques": DRAGS[:4]}, "torques has 4: give one for each member"),
         ({"wheels": WHEELS[:4]}, "wheels has 4: "),
         ({"body": BODIES[:5]}, "body has 5"),
         ({"body": []}, "body is an empty list"),

@@ -122,7 +122,7 @@ def test_its_copies_go_on(generic: polhode.MassProperties) -> None:
         assert again == two and (again.at([2.0, 2.9]).omega == two.at([2.0, 2.9]).omega).all()
         assert again.extend(2.0, samples=3) == two.extend(2.0, samples=3)
     assert np.allclose(two.at(2.6).omega, polhode.simulate(given, times=[2.6]).omega[0], rtol=0, atol=1e-13)
-    with pytest.raises(polhode.PolhodeError, match="at least 2.0, where this motion goes on"):
+    with pytest.raises(polhode.PolhodeError, match="at least 2.0, where this motion continues another one"):
         two.at(1.0)
     with pytest.raises(polhode.PolhodeError, match="at most 3.0"):
         two.at(3.5)

@@ -329,9 +329,9 @@ def test_what_has_no_derivatives_is_refused() -> None:
         polhode.particle_derivatives(masses=[1.0], positions=PLACES)
     with pytest.raises(polhode.PolhodeError, match="positive"):
         polhode.particle_derivatives(masses=-MASSES, positions=PLACES)
-    with pytest.raises(polhode.PolhodeError, match="no part") as error:
+    with pytest.raises(polhode.PolhodeError, match="not a part") as error:
         built().derivatives(about={"eg": [0, 0, 0]})
-    assert error.value.hint == "parts are egg, rod, lump"
+    assert error.value.hint == "known parts: egg, rod, lump"
     with pytest.raises(polhode.PolhodeError, match=r"about\['egg'\]"):
         built().derivatives(about={"egg": [0, 0]})
     with pytest.raises(TypeError, match="dict of points"):

@@ -123,7 +123,7 @@ log_normal = { median = 0.01, sigma = 0.3 }
 @pytest.mark.parametrize(
     ("given", "says"),
     [
-        ({"vary": [Vary(key="start.omegb[0]", relative=0.1)], "members": 3}, r"vary\[0\].key: .*start has no \"omegb\""),
+        ({"vary": [Vary(key="start.omegb[0]", relative=0.1)], "members": 3}, r"vary\[0\].key: .*start has no key \"omegb\""),
         ({"vary": [Vary(key=RATES[:2], correlated=[[1, 2], [2, 1]])], "members": 3}, r"vary\[0\].correlated: covariance"),
         ({"vary": [Vary(key=RATES[:2], correlated=COVARIANCE)], "members": 3}, r"vary\[0\].correlated: "),
         ({"vary": [Vary(key=RATES[0], relative=0.1)]}, "Plan: the key members is missing"),

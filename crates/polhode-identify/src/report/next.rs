@@ -49,7 +49,7 @@ pub(crate) fn section<E: Named>(next: &NextExperiment<E>) -> Section {
     table(&mut s, next);
     s.say("Uncertainties (1σ) are relative to the greatest moment i3. They are linear predictions for the estimated body, with the same noise.");
     if next.candidates.len() > SHOWN {
-        s.say(format!("--json lists all {} experiments.", next.candidates.len()));
+        s.say(format!("The JSON output lists all {} experiments.", next.candidates.len()));
     }
     if let Some((first, error)) = next.refused.first() {
         s.say(format!(

@@ -71,7 +71,7 @@ impl Report for TumbleReport {
         if !tumble.scale_is_known {
             answer.push("Free motion determines only the ratios of the moments, not their size".to_owned());
             answer.push(
-                "For absolute values, throw the body once more with a part of known moments attached (in the plan: added = { moments = [...] } in this [[tumble.flight]]), or measure the greatest moment with a swing test and state it: --body --mass \"350 g\" --greatest-moment \"0.0166 kg m^2\"".to_owned(),
+                "For absolute values, throw the body once more with a part of known moments attached (in the plan: added = { moments = [...] } in this [[tumble.flight]]); or measure the greatest moment with a swing test and give it with the mass when the body is exported".to_owned(),
             );
         }
         let mut sections = vec![self.read(), self.body(), self.left(), self.each()];

@@ -324,7 +324,7 @@ test("dropped files become documents: a scenario with its mesh, each of several 
   await listed("bracket.ply");
   await listed("water.xyz");
   await shows(page, 'file = "bracket.ply"');
-  assert.match(await text(page), /unit = "mm" +# the file does not say/);
+  assert.match(await text(page), /unit = "mm" +# the file has no unit/);
   // As the hand drops them, with one triangle left out.
   const torn = readFileSync(example("meshes/bracket.off"), "utf8").trimEnd().split("\n");
   torn[2] = torn[2].replace("216", "215");

@@ -187,7 +187,7 @@ def test_what_there_is_no_memory_for_is_refused(plan: batch.Plan) -> None:
     with pytest.raises(MemoryError, match="not enough memory for the inputs of 1000000000000 members"):
         batch.inputs(batch.Plan(PLAN.format(members=10**12) + each))
     bodies = polhode.Ensemble(moments=[1, 2, 2.5], omega=np.ones((300_000, 3)))
-    with pytest.raises(MemoryError, match="no memory for the states of 300000 members at 10000000 times"):
+    with pytest.raises(MemoryError, match="not enough memory for the states of 300000 members at 10000000 times"):
         bodies.at(np.zeros(10_000_000))
 
 

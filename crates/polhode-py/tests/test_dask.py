@@ -131,9 +131,9 @@ def test_no_worker_is_told_again_and_again(monkeypatch: pytest.MonkeyPatch) -> N
         watch.look()
     assert heard == [
         "1000: dask://here:1 has no worker: waiting for one at most 200 s",
-        "1062: dask://here:1 has no worker, for 62 s by now: waiting for one at most 200 s",
+        "1062: dask://here:1 has no worker (for 62 s so far): waiting for one at most 200 s",
         "1110: dask://here:1 has no worker: waiting for one at most 200 s",
-        "1200: dask://here:1 has no worker, for 90 s by now: waiting for one at most 200 s",
+        "1200: dask://here:1 has no worker (for 90 s so far): waiting for one at most 200 s",
     ]
     now[0] = 1310.0
     with pytest.raises(TimeoutError, match="has had no worker for 200 s"):

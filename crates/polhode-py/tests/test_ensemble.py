@@ -118,7 +118,7 @@ def test_ctrl_c_ends_an_ensemble() -> None:
     timer.join()
 
 
-@pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="macOS and Windows have no affinity that a process can set so")
+@pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="macOS and Windows have no os.sched_setaffinity")
 def test_threads_are_those_that_the_process_may_use() -> None:
     allowed = os.sched_getaffinity(0)
     assert 1 <= _native.available_threads() <= len(allowed)

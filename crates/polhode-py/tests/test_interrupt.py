@@ -46,7 +46,7 @@ def heard(call: Callable[[], Any], after: float) -> float:
     return ended - sent[0]
 
 
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="Windows has no named pipes in its file system, which a file that never comes is here")
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="Windows has no os.mkfifo, which makes the file that the test waits for")
 @pytest.mark.parametrize("name", ["body.stl", "points.csv", "molecule.xyz", "scenario.toml"])
 def test_a_file_that_does_not_come(name: str, tmp_path: Path) -> None:
     """Nothing is asked while the system waits for the file."""

@@ -28,7 +28,7 @@ def test_without_opencascade_it_says_what_to_install(tmp_path: Path, monkeypatch
 
 @pytest.fixture
 def occ() -> Any:
-    return pytest.importorskip("OCP.STEPControl", reason="STEP files need OpenCASCADE (cadquery-ocp), a large package that is no part of the gate")
+    return pytest.importorskip("OCP.STEPControl", reason="STEP files need OpenCASCADE (cadquery-ocp), a large package that the gate does not install")
 
 
 AXIS = np.array([0.3, -0.5, 0.8]) / math.sqrt(0.98)

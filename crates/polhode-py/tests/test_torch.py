@@ -15,7 +15,7 @@ import pytest
 from conftest import ROOT
 from test_differentiable import ATTITUDE, INERTIA, MASSES, OMEGA, POINTS, POSITIONS, TIMES, TRIANGLES, VERTICES
 
-torch = pytest.importorskip("torch", reason="PyTorch, 0.5 GB, is no part of the gate")
+torch = pytest.importorskip("torch", reason="the gate does not install PyTorch (0.5 GB)")
 from polhode import torch as polhode_torch  # noqa: E402
 
 #: PyTorch warns of what it does itself when it is first asked for a batch.

@@ -135,11 +135,11 @@ fn notes(summary: &SweepSummary) -> Vec<Labelled> {
     lines
 }
 
-/// Returns true if the outcome is the same quantity as the input, or a function of it alone.
+/// Returns true if the outcome is the same quantity as the input, and follows it throughout.
 fn is_trivial(pair: &SweepCorrelation) -> bool {
     let has = |name: &str, word: &str| name.split('_').any(|part| part == word);
     pair.value.abs() >= TRIVIAL_CORRELATION
-        || SAME_QUANTITY.iter().any(|(input, outcome)| has(&pair.input, input) && has(&pair.outcome, outcome))
+        && SAME_QUANTITY.iter().any(|(input, outcome)| has(&pair.input, input) && has(&pair.outcome, outcome))
 }
 
 /// Returns an answer in words: `12.3 % (10.9 … 13.8 %) have largest_angle > 90 deg: 123 of 1,000`.

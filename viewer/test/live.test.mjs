@@ -29,8 +29,24 @@ async function open(options = {}, fragment = "") {
   await page.goto(server.address + fragment);
   await page.waitForSelector("body.live:not(.waiting)");
   await page.waitForFunction(() => document.querySelectorAll(".knob").length > 3);
+  await still(page);
   return { page, problems, close };
 }
+
+/**
+ * Waits until nothing moves: everything is answered, and picture and tip of ω stay at their places for three frames.
+ * A pointer that is pressed earlier can miss what it aims at.
+ */
+const still = (page) =>
+  page.evaluate(async () => {
+    const frame = () => new Promise((done) => requestAnimationFrame(done));
+    const places = () => JSON.stringify([...document.querySelectorAll("#canvas, .tip")].map((part) => part.getBoundingClientRect()));
+    for (let equal = 0, last = ""; equal < 3; await frame()) {
+      const now = places();
+      equal = window.polhodeLive.isSettled && now === last ? equal + 1 : 0;
+      last = now;
+    }
+  });
 
 const knob = (page, key) => page.locator(`.knob[data-key="${key}"]`);
 const text = (page) => page.evaluate(() => window.polhodeLive.text);

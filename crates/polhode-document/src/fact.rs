@@ -4,10 +4,11 @@ use serde_json::{Map, Value, json};
 
 use crate::layout::{columns, labelled_from, plain_spaces};
 use crate::number::{
-    count, error, has_digits, number, quaternion, tidy, tidy_beside, typeset, vector, vector_within, within,
+    DIGITS, count, error, has_digits, number, quaternion, tidy, tidy_beside, typeset, vector, vector_within,
+    within,
 };
 use crate::si_prefix::fitting;
-use crate::unit::{self, DIGITS};
+use crate::unit;
 
 /// Column at which a value starts on the screen.
 const COLUMN: usize = 22;
@@ -113,9 +114,16 @@ impl Fact {
     /// Creates a fact for text and JSON.
     pub fn new(key: impl Into<String>, label: impl Into<String>, value: impl Into<Quantity>) -> Self {
         let (key, label, value) = (key.into(), label.into(), value.into());
-        // Quaternion components are below 1, so one digit fewer is enough.
-        let digits = if matches!(value, Quantity::Attitude(_)) { DIGITS - 1 } else { DIGITS };
-        Self { key, label, value, error: 0.0, scale: 0.0, digits, note: String::new(), is_detail: false }
+        Self {
+            key,
+            label,
+            value,
+            error: 0.0,
+            scale: 0.0,
+            digits: DIGITS,
+            note: String::new(),
+            is_detail: false,
+        }
     }
 
     /// Creates a fact for the JSON only.

@@ -3,6 +3,9 @@
 /// No-break space, as before a unit. [`crate::layout::plain_spaces`] replaces it by an ordinary one.
 pub const NO_BREAK: char = '\u{a0}';
 
+/// Significant digits of every printed quantity whose error is not larger.
+pub const DIGITS: usize = 6;
+
 /// Decimal exponents in fixed notation; others use powers of ten.
 const FIXED: std::ops::RangeInclusive<i32> = -3..=5;
 

@@ -3,7 +3,7 @@
 use polhode::body::MassProperties;
 use polhode::math::Frame;
 
-use crate::number::{NO_BREAK, alike, number, within};
+use crate::number::{DIGITS, NO_BREAK, alike, number, within};
 use crate::si_prefix;
 
 /// Unit with its conversion factor.
@@ -51,9 +51,6 @@ const VOLUME: [Unit; 4] = [
 
 /// Units of long times; each is used from three of them on: hours from 3 h, days from 3 d.
 const LONGER: [(&str, f64); 2] = [("d", 86_400.0), ("h", 3_600.0)];
-
-/// Significant digits of a single quantity.
-pub const DIGITS: usize = 7;
 
 /// Formats a time in s, with hours or days in parentheses for a long one: `464832 s (5.38 d)`.
 pub fn duration(seconds: f64, digits: usize) -> String {

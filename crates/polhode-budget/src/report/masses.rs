@@ -3,7 +3,7 @@
 use polhode_document::Section;
 use polhode_document::drawing::{Bar, BarPanel, Bars, Drawing};
 use polhode_document::layout::{INDENT, printable};
-use polhode_document::number::{NO_BREAK, alike, count, number};
+use polhode_document::number::{DIGITS, NO_BREAK, alike, count, number};
 
 use super::case::Case;
 use crate::MassStatement;
@@ -12,8 +12,6 @@ use crate::MassStatement;
 const SHOWN: usize = 60;
 /// Largest number of bars of components.
 const BARS: usize = 14;
-/// Number of digits of masses in a column.
-const DIGITS: usize = 6;
 
 pub(crate) fn section(case: &Case) -> Section {
     let mut section = Section::new(1, "Mass breakdown");

@@ -1,12 +1,11 @@
 //! HTML writer: formulas as MathML, graphs as SVG, no external resources.
 
-use super::text::DIGITS;
 use super::{Block, Document};
 use crate::Picture;
 use crate::finding;
 use crate::layout::{plain_spaces, printable};
 use crate::mathml::{self, escaped};
-use crate::number::{alike, tidy_matrix};
+use crate::number::{DIGITS, alike, tidy_matrix};
 
 const STYLE: &str = include_str!("document.css");
 

@@ -3,11 +3,10 @@
 
 use super::super::graph::Graph;
 use super::formula;
-use super::text::DIGITS;
 use super::{Block, Document};
 use crate::finding;
 use crate::layout::{broken, plain_spaces, printable};
-use crate::number::{alike, tidy_matrix};
+use crate::number::{DIGITS, alike, tidy_matrix};
 
 /// Largest width of a line of numbers, columns.
 const LONGEST: usize = 84;

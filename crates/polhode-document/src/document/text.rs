@@ -3,12 +3,9 @@
 use super::{Block, Document};
 use crate::finding;
 use crate::layout::{self, broken, columns, matrix_rows, plain_spaces, printable, width, wrap};
-use crate::number::tidy_matrix;
+use crate::number::{DIGITS, tidy_matrix};
 
 const INDENT: &str = "    ";
-
-/// Significant digits of a matrix element.
-pub(super) const DIGITS: usize = 6;
 
 impl Document {
     /// Returns plain text of at most `columns` columns; tables and matrices may be wider.

@@ -2,8 +2,7 @@
 
 use polhode::motion::{MassHistory, Outflow};
 use polhode_document::json::{matrix, vector};
-use polhode_document::number::number;
-use polhode_document::unit::DIGITS;
+use polhode_document::number::{DIGITS, number};
 use serde_json::{Value, json};
 
 /// Describes the change of mass, such as `12.5 → 8.3 kg, through an exit, with jet damping`, and

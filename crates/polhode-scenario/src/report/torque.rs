@@ -7,8 +7,7 @@ use polhode::motion::torque::{
 use polhode::motion::{EventAction, Motor, Orbit, Scenario, Wheel};
 use polhode_document::json;
 use polhode_document::layout::printable;
-use polhode_document::number::{number, tidy, tidy_matrix, vector};
-use polhode_document::unit::DIGITS;
+use polhode_document::number::{DIGITS, number, tidy, tidy_matrix, vector};
 use serde_json::{Map, Value, json};
 
 /// A torque or a wheel, prepared for output.

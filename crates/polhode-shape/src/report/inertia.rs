@@ -11,9 +11,8 @@ use polhode_document::VERSION;
 use polhode_document::finding;
 use polhode_document::json::{matrix, numbers, vector};
 use polhode_document::layout::{WIDTH, columns, labelled, matrix_rows, plain_spaces, wrap};
-use polhode_document::number::{alike, number, tidy, tidy_beside, tidy_matrix};
+use polhode_document::number::{DIGITS, alike, number, tidy, tidy_beside, tidy_matrix};
 use polhode_document::unit;
-use polhode_document::unit::DIGITS;
 use serde_json::{Map, Value, json};
 
 use crate::report::block;

@@ -2,8 +2,7 @@
 
 use polhode::observe::{RotationalConstants, Top};
 use polhode_document::layout::{labelled, printable};
-use polhode_document::number::{alike, number, tidy_beside};
-use polhode_document::unit::DIGITS;
+use polhode_document::number::{DIGITS, alike, number, tidy_beside};
 use serde_json::{Value, json};
 
 /// Molecule block of a report: formula, isotopes and rotational constants.

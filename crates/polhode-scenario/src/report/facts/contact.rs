@@ -6,8 +6,8 @@ use polhode::motion::contact::{
 use polhode::motion::{GroundContact, Series, Trajectory};
 use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::vector;
-use polhode_document::number::{number, vector as triple};
-use polhode_document::unit::{DIGITS, angle, length, place};
+use polhode_document::number::{DIGITS, number, vector as triple};
+use polhode_document::unit::{angle, length, place};
 use serde_json::{Value, json};
 
 use crate::report::global_error::{self, known_to};

@@ -4,8 +4,7 @@ use polhode::motion::{Crossing, Ending, Event, EventAction, Measure, Reference, 
 use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::{numbers, vector};
 use polhode_document::layout::printable;
-use polhode_document::number::{number, vector as triple};
-use polhode_document::unit::DIGITS;
+use polhode_document::number::{DIGITS, number, vector as triple};
 use serde_json::{Value, json};
 
 /// Maximum number of events in the text; JSON contains all of them.
@@ -43,10 +42,10 @@ pub(super) fn facts(trajectory: &Trajectory, scenario: &Scenario) -> Vec<Fact> {
         Fact::data("events", json(trajectory, scenario)),
     ];
     facts.extend(crossings.iter().take(MOST).map(|crossing| {
-        let omega = triple(crossing.state.omega.to_array(), 6);
+        let omega = triple(crossing.state.omega.to_array(), DIGITS);
         let sense = if crossing.rising { "rising" } else { "falling" };
         let note = format!("{}, {sense}; ω = {omega} rad/s", printable(&crossing.name));
-        Fact::shown("event", format!("t = {} s", number(crossing.state.time, 12))).note(note)
+        Fact::shown("event", format!("t = {} s", number(crossing.state.time, DIGITS))).note(note)
     }));
     if crossings.len() > MOST {
         let all = Quantity::Count(crossings.len() as u64);

@@ -4,8 +4,8 @@ use polhode::motion::gimbal::{Axis, Gimbal, GimbalState, Gimbals, Hold};
 use polhode::motion::{Mechanism, Series, Trajectory};
 use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::{matrix, numbers, vector};
-use polhode_document::number::{number, vector as triple, within};
-use polhode_document::unit::{DIGITS, angle, rate};
+use polhode_document::number::{DIGITS, number, vector as triple, within};
+use polhode_document::unit::{angle, rate};
 use serde_json::{Value, json};
 
 use crate::report::global_error::{self, known_to};

@@ -5,8 +5,7 @@ use std::f64::consts::TAU;
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{HeavyTop, Scenario, State, TopPath};
 use polhode_document::fact::{Fact, Quantity};
-use polhode_document::number::number;
-use polhode_document::unit::DIGITS;
+use polhode_document::number::{DIGITS, number};
 
 /// Returns the top of a scenario; `None` unless gravity alone acts and the body is symmetric about
 /// its arm.

@@ -6,9 +6,8 @@ use polhode::motion::{Orbit, Pointing, Reference, Sample, Scenario, State};
 use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::{numbers, vector};
 use polhode_document::layout::printable;
-use polhode_document::number::number;
 use polhode_document::number::vector as shown;
-use polhode_document::unit::DIGITS;
+use polhode_document::number::{DIGITS, number};
 use serde_json::{Map, Value, json};
 
 use super::Known;

@@ -3,12 +3,9 @@
 use polhode_document::Picture;
 use polhode_document::layout::plain_spaces;
 use polhode_document::mathml;
-use polhode_document::number::{alike, tidy_matrix};
+use polhode_document::number::{DIGITS, alike, tidy_matrix};
 use polhode_document::{Block, Document, Section};
 use serde_json::{Value, json};
-
-/// Significant digits of a matrix element.
-const DIGITS: usize = 6;
 
 pub(crate) fn json(document: &Document) -> Value {
     let mut blocks = vec![heading(1, &document.title)];

@@ -1,8 +1,10 @@
 //! Events, and the limits of springs and wires, as reported by the command.
 
+use std::f64::consts::PI;
+
 use serde_json::Value;
 
-use crate::common::{Scratch, json, number};
+use crate::common::{Scratch, json, number, stdout};
 
 /// A cylinder on a wire, started fast enough to twist the wire a little beyond half a turn.
 const WIRE: &str = r#"[[body.part]]
@@ -202,4 +204,32 @@ samples = 21
     let error = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(3), "{error}");
     assert!(error.contains("endlessly") && error.contains("dead band"), "{error}");
+}
+
+/// A body that spins about its axis of symmetry z points b to d with cos θ = A + B cos(ω t + φ),
+/// A = b_z d_z, B = |b_xy| |d_xy|. So cos θ ≥ cos λ for a share of acos((cos λ − A)/B)/π.
+#[test]
+fn the_share_of_time_within_a_limit_is_that_of_the_closed_form() {
+    let scratch = Scratch::new("pointing-limit");
+    // Three turns.
+    let duration = 6.0 * PI / 1.7;
+    let scenario = "title = 'a scanner'\n\
+        [[body.part]]\nshape = 'box'\nsize = ['0.3 m', '0.3 m', '0.1 m']\nmass = '2.5 kg'\n\
+        [start]\nspin = { body = [0, 0, '1.7 rad/s'] }\n\
+        [[pointing]]\nname = 'antenna'\nbody = [0.6, 0, 0.8]\nto = { space = [0.2, -0.5, 0.7] }\nlimit = '40 deg'\n\
+        [[pointing]]\nname = 'panel'\nbody = [0, 1, 0]\nto = { space = [1, 0, 0] }\n\
+        [run]\nsamples = 30001\n";
+    scratch.write("scanner.toml", &format!("{scenario}duration = {duration}\n"));
+    let text = stdout(&scratch.run(&["simulate", "scanner.toml"]));
+    let length = (0.04_f64 + 0.25 + 0.49).sqrt();
+    let (a, b) = (0.8 * 0.7 / length, 0.6 * 0.29_f64.sqrt() / length);
+    let want = ((40_f64.to_radians().cos() - a) / b).acos() / PI;
+    let percent = format!("within 40° for {:.2} % of the time", 100.0 * want);
+    assert!(text.lines().take(4).any(|line| line.contains(&percent)), "{percent}: {text}");
+    let file = std::fs::read_to_string(scratch.0.join("scanner/summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&file).unwrap();
+    let [antenna, panel] = [&summary["pointings"][0], &summary["pointings"][1]];
+    assert!((number(&antenna["share_within"]) - want).abs() < 1e-6, "{antenna}");
+    assert!((number(&antenna["limit_rad"]) - 40_f64.to_radians()).abs() < 1e-15);
+    assert!(panel["share_within"].is_null() && panel["limit_rad"].is_null(), "{panel}");
 }

@@ -629,12 +629,16 @@ class Pointing(Section):
     to
         Target: ``"nadir"``, ``"velocity"``, ``"orbit_normal"``, ``"field"``, or
         ``{"space": [x, y, z]}``.
+    limit
+        Largest angle that is allowed, rad, between 0 and π: results say for which share of the
+        time the angle is within it.
     """
 
     table = "pointing"
     name: str
     body: npt.ArrayLike
     to: str | Mapping[str, Any]
+    limit: Quantity | None = None
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)

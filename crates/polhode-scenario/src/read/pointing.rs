@@ -6,6 +6,7 @@ use polhode::motion::torque::MagneticField;
 use polhode::motion::{Orbit, Pointing, Reference};
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
+use polhode_source::unit::Dimension;
 
 /// Named directions.
 pub(crate) const NAMED: [&str; 4] = ["nadir", "velocity", "orbit_normal", "field"];
@@ -22,7 +23,7 @@ pub(crate) fn pointings(root: &Table<'_>, references: &References<'_>) -> Result
     let Some(list) = root.get("pointing") else { return Ok(Vec::new()) };
     let mut pointings: Vec<Pointing> = Vec::new();
     for table in list.tables("pointing")? {
-        table.allow(&["name", "body", "to"])?;
+        table.allow(&["name", "body", "to", "limit"])?;
         let named = table.require("name", "name = \"antenna\"")?;
         let name = named.string()?;
         let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
@@ -51,7 +52,14 @@ pub(crate) fn pointings(root: &Table<'_>, references: &References<'_>) -> Result
             table.allow(&["space"])?;
             Reference::Space(direction(&table.require("space", "{ space = [1, 0, 0] }")?)?)
         };
-        pointings.push(Pointing::new(name, body, reference).map_err(|error| axis.motion(error))?);
+        let pointing = Pointing::new(name, body, reference).map_err(|error| axis.motion(error))?;
+        pointings.push(match table.get("limit") {
+            Some(limit) => {
+                let angle = limit.quantity(Dimension::ANGLE)?;
+                pointing.with_limit(angle).map_err(|error| limit.motion(error))?
+            }
+            None => pointing,
+        });
     }
     Ok(pointings)
 }

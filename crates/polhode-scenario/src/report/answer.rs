@@ -166,7 +166,11 @@ fn angles(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
         let angles = Angles::of(pointing, samples)?;
         let (name, most) = (printable(pointing.name()), degrees(angles.largest));
         let when = time(angles.time, DIGITS);
-        Some(format!("{}: at most {most} to {}, at t = {when}.", capitalised(&name), target(pointing)))
+        let within = pointing.limit().zip(angles.within).map_or_else(String::new, |(limit, share)| {
+            format!("; within {} for {} % of the time", degrees(limit), number(100.0 * share, DIGITS))
+        });
+        let target = target(pointing);
+        Some(format!("{}: at most {most} to {target}, at t = {when}{within}.", capitalised(&name)))
     });
     largest.take(MOST_ANGLES).collect()
 }

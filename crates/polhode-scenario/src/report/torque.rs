@@ -20,6 +20,8 @@ pub(crate) struct Description {
     pub parameters: Vec<Parameter>,
     /// Times at which it acts; `None` if it acts always.
     schedule: Option<Schedule>,
+    /// Orbit on which it depends; its parameters have keys that start with [`ORBIT`].
+    orbit: Option<Orbit>,
     /// Parameters without a number, as (key, word), such as (`axes`, `body`).
     words: Vec<(&'static str, String)>,
 }
@@ -41,6 +43,9 @@ enum Shown {
     Vector([f64; 3]),
     Matrix([[f64; 3]; 3]),
 }
+
+/// Start of the keys of an orbit's parameters.
+const ORBIT: &str = "orbit_";
 
 impl Description {
     pub(crate) fn of(model: &TorqueModel) -> Self {
@@ -174,7 +179,7 @@ impl Description {
 
     /// Adds the parameters of the orbit of the centre of mass.
     fn orbit(self, orbit: &Orbit) -> Self {
-        let closest = self
+        let closest = Self { orbit: Some(orbit.clone()), ..self }
             .put("orbit_mu_m3_s2", "µ", Shown::Number(orbit.mu()), "m³/s²")
             .put("orbit_periapsis_m", "periapsis", Shown::Number(orbit.periapsis()), "m")
             .put("orbit_eccentricity", "eccentricity", Shown::Number(orbit.eccentricity()), "");
@@ -186,7 +191,7 @@ impl Description {
 
     fn new(model: &'static str, title: impl Into<String>) -> Self {
         let (parameters, words) = (Vec::new(), Vec::new());
-        Self { model, title: title.into(), parameters, schedule: None, words }
+        Self { model, title: title.into(), parameters, schedule: None, orbit: None, words }
     }
 
     fn put(mut self, key: &'static str, symbol: &'static str, value: Shown, unit: &'static str) -> Self {
@@ -202,9 +207,16 @@ impl Description {
     /// Returns the text, such as
     /// `gravity, g = (0, 0, -9.80665) m/s² in space axes, from 1 s to 3 s`.
     pub(crate) fn text(&self) -> String {
+        self.text_beside(None)
+    }
+
+    /// Returns the text without the parameters of an orbit that is stated elsewhere.
+    pub(crate) fn text_beside(&self, stated: Option<&Orbit>) -> String {
+        let is_stated = stated.is_some() && self.orbit.as_ref() == stated;
         let numbers = self
             .parameters
             .iter()
+            .filter(|p| !(is_stated && p.key.starts_with(ORBIT)))
             .map(|p| format!("{} = {} {}", p.symbol, p.shown(), p.unit).trim_end().to_owned());
         [self.title.clone()].into_iter().chain(numbers).chain(self.when()).collect::<Vec<_>>().join(", ")
     }

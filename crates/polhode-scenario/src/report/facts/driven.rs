@@ -21,7 +21,7 @@ pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
         let description = Description::of(model);
         let notes = [Some(format!("model {}", description.model)), off_at_start(scenario, k)];
         let notes: Vec<String> = notes.into_iter().flatten().collect();
-        Fact::shown("torque", name + &description.text()).note(notes.join(", "))
+        Fact::shown("torque", name + &description.text_beside(scenario.orbit())).note(notes.join(", "))
     }));
     let mass = scenario.history().map(|history| {
         let ends = [scenario.start().time, known.end_time()];

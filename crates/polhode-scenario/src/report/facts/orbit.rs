@@ -38,8 +38,15 @@ pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
             angle("at the start", angles.start, 0.0).note(of),
             angle("at the end", angles.end, error),
             angle("at most", angles.largest, most)
-                .note(format!("at t = {} s (of the samples)", number(angles.time, 6))),
+                .note(format!("at t = {} s (of the samples)", number(angles.time, DIGITS))),
         ]);
+        facts.extend(angles.within.map(|share| {
+            let limit = pointing
+                .limit()
+                .map_or_else(String::new, |limit| format!("{}°", number(limit.to_degrees(), DIGITS)));
+            let share = format!("{} % of the time", number(100.0 * share, 4));
+            Fact::shown(format!("{name} within {limit}"), share).note("linear between samples")
+        }));
     }
     facts.push(Fact::data(
         "pointings",
@@ -53,7 +60,7 @@ fn orbit_facts(orbit: &Orbit) -> Vec<Fact> {
     let km = format!("{} km", number(orbit.periapsis() / 1e3, DIGITS));
     let shape = if orbit.eccentricity() == 0.0 { "circle of radius" } else { "least distance" };
     vec![
-        fact("mu_m3_s2", "", Quantity::Number(orbit.mu(), "m³/s²")),
+        fact("mu_m3_s2", "µ", Quantity::Number(orbit.mu(), "m³/s²")),
         fact("eccentricity", "eccentricity", Quantity::Number(orbit.eccentricity(), "")),
         fact("periapsis_m", shape, Quantity::Data(orbit.periapsis().into(), km)),
         fact("period_s", "period", orbit.period().map(Quantity::Duration).into()),
@@ -78,6 +85,8 @@ fn pointing_json(pointing: &Pointing, samples: &[Sample]) -> Value {
         "end_rad": angles.map(|angles| angles.end),
         "largest_rad": angles.map(|angles| angles.largest),
         "largest_time_s": angles.map(|angles| angles.time),
+        "limit_rad": pointing.limit(),
+        "share_within": angles.and_then(|angles| angles.within),
     })
 }
 
@@ -138,6 +147,8 @@ pub(crate) struct Angles {
     pub largest: f64,
     /// Time of the maximum, s.
     pub time: f64,
+    /// Share of the time within the limit, 0 … 1; `None` without a limit.
+    pub within: Option<f64>,
 }
 
 impl Angles {
@@ -148,6 +159,42 @@ impl Angles {
         let of = |sample: &Sample| (angle(sample), sample.state.time);
         let larger = |most: (f64, f64), next: (f64, f64)| if next.0 > most.0 { next } else { most };
         let (largest, time) = samples.iter().map(of).fold(of(first), larger);
-        Some(Self { start: angle(first), end: angle(last), largest, time })
+        let within = pointing.limit().map(|limit| {
+            let of = |sample: &Sample| [sample.state.time, angle(sample) - limit];
+            share_below(&samples.iter().map(of).collect::<Vec<_>>())
+        });
+        Some(Self { start: angle(first), end: angle(last), largest, time, within })
+    }
+}
+
+/// Returns the share of the time in which a function, linear between (time, value), is not
+/// positive.
+fn share_below(points: &[[f64; 2]]) -> f64 {
+    let [mut below, mut all] = [0.0; 2];
+    for pair in points.windows(2) {
+        let ([from, a], [to, b]) = (pair[0], pair[1]);
+        let share = match (a <= 0.0, b <= 0.0) {
+            (true, true) => 1.0,
+            (false, false) => 0.0,
+            (true, false) => a / (a - b),
+            (false, true) => b / (b - a),
+        };
+        below += share * (to - from);
+        all += to - from;
+    }
+    if all > 0.0 { below / all } else { f64::from(u8::from(points.iter().all(|[_, x]| *x <= 0.0))) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::share_below;
+
+    #[test]
+    fn the_share_counts_parts_of_intervals_by_their_length() {
+        // Below: all of [0, 2], three quarters of [2, 3], none of [3, 7], a third of [7, 10].
+        let points = [[0.0, -1.0], [2.0, -3.0], [3.0, 1.0], [7.0, 2.0], [10.0, -1.0]];
+        assert!((share_below(&points) - 3.75 / 10.0).abs() < 1e-15);
+        assert_eq!(share_below(&[[0.5, -0.1]]), 1.0);
+        assert_eq!(share_below(&[[0.5, 0.1]]), 0.0);
     }
 }

@@ -495,6 +495,15 @@ fn directions_of_an_orbit_need_one() {
         "name = 'A' must be different from the names of other pointings",
         "give each pointing its own name",
     );
+    for (wrong, rule) in [
+        ("'0 deg'", "between 0 and 180 degrees"),
+        ("'-12 deg'", "between 0 and 180 degrees"),
+        ("'180 deg'", "between 0 and 180 degrees"),
+        ("'12 m'", "an angle"),
+        ("nan", "finite"),
+    ] {
+        refuses(&pointing(&format!("name='a'\nbody=[0,0,1]\nto='nadir'\nlimit=«{wrong}»")), rule, "");
+    }
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! Pointing: the angle between a direction of the body and a direction fixed in space or given by
 //! the orbit or the magnetic field.
 
+use core::f64::consts::PI;
+
 use super::orbit::Orbit;
 use super::require;
 use super::state::State;
@@ -43,6 +45,7 @@ pub struct Pointing {
     name: String,
     body: Direction<Body>,
     reference: Reference,
+    limit: Option<f64>,
 }
 
 impl Reference {
@@ -107,7 +110,18 @@ impl Pointing {
         body: Direction<Body>,
         reference: impl Into<Reference>,
     ) -> Result<Self, MotionError> {
-        Ok(Self { name: name.into(), body: unit(body)?, reference: reference.into().normalised()? })
+        let reference = reference.into().normalised()?;
+        Ok(Self { name: name.into(), body: unit(body)?, reference, limit: None })
+    }
+
+    /// Sets the largest angle that is allowed, rad.
+    ///
+    /// # Errors
+    /// [`MotionError::ParameterOutOfRange`] unless it is between 0 and π.
+    pub fn with_limit(self, limit: f64) -> Result<Self, MotionError> {
+        let holds = 0.0 < limit && limit < PI;
+        require::that("the limit of a pointing angle", limit, holds, "between 0 and 180 degrees")?;
+        Ok(Self { limit: Some(limit), ..self })
     }
 
     /// Returns the name.
@@ -123,6 +137,11 @@ impl Pointing {
     /// Returns the reference direction.
     pub const fn reference(&self) -> &Reference {
         &self.reference
+    }
+
+    /// Returns the largest angle that is allowed, rad; `None` without a limit.
+    pub const fn limit(&self) -> Option<f64> {
+        self.limit
     }
 
     /// Returns the angle in a state, 0 … π rad.

@@ -102,7 +102,7 @@ def main():
         cells = ([lines.get(name, ("–", ""))[0].replace("NaN", "–") for name in names] for lines in own.values())
         return f"| {label} | " + " | ".join(" (".join(cell) + ")" * (len(cell) - 1) for cell in cells) + " |"
 
-    rows = "\n".join(row(f"{name} | {unit}", name) for name, (_, unit) in widest.items() if not name.startswith("Taylor"))
+    rows = "\n".join(row(f"{name} | {unit}", name) for name, (_, unit) in widest.items() if name.startswith(("exact", "a prepared")))
     torques = "\n".join(row(name.removeprefix("Taylor "), name, f"{name}, alone") for name in widest if f"{name}, alone" in widest)
     taylor_ns, width, heyoka_version = heyoka()
     scipy_us, scipy_version = scipy_loop()

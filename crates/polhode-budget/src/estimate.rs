@@ -110,7 +110,7 @@ impl<F: Frame> Estimate<F> {
 
     /// Returns the tensor about a point: J = I + M (d² 1 − d dᵀ), with d from the point to the
     /// centre of mass.
-    pub fn about(&self, point: Position<F>) -> EstimateAbout<F> {
+    pub fn about_point(&self, point: Position<F>) -> EstimateAbout<F> {
         let (mass, d) = (self.properties.mass(), (self.properties.center_of_mass() - point).to_array());
         EstimateAbout {
             inertia: self.properties.inertia_about(point),

@@ -56,7 +56,7 @@ pub fn run_watched(
         }
         None => {
             let (report, made) =
-                answered(request, &questions, file, reached).map_err(|failure| failure.about(list))?;
+                answered(request, &questions, file, reached).map_err(|failure| failure.in_file(list))?;
             (Answer::List(Box::new(report)), made)
         }
     };
@@ -75,7 +75,7 @@ fn compared(
     let is_in_each = is_other && file.configurations.iter().all(|one| one.name.is_none());
     let configuration = request.configuration.as_deref().filter(|_| !is_in_each);
     let report = BudgetReport::of_file(file, &questions, configuration, Scope::Diff, &mut |_, _| ());
-    report.map_err(|failure| failure.about(list))
+    report.map_err(|failure| failure.in_file(list))
 }
 
 /// Computes the report of a list and the files made of it, except tables of all rows.

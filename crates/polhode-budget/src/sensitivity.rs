@@ -58,10 +58,10 @@ impl Budget {
         let mut shared = vec![vec![[0.0; NUMBERS]; self.groups.len()]; gradients.len()];
         self.changes(basis, &subtrees, &whole, |change| {
             for ((gradient, found), shared) in gradients.iter().zip(&mut all).zip(&mut shared) {
-                let by = gradient.along(&change.alone);
+                let by = gradient.derivative_along(&change.alone);
                 found.add(Source::Row(change.row), change.kind(), by * by);
                 if let Some((group, by)) = &change.shared {
-                    shared[*group][change.number] += gradient.along(by);
+                    shared[*group][change.number] += gradient.derivative_along(by);
                 }
             }
         })?;

@@ -40,9 +40,9 @@ impl Failure {
     }
 
     /// Returns the failure with the path of its file, unless it has one already.
-    pub(crate) fn about(self, file: &Path) -> Self {
+    pub(crate) fn in_file(self, file: &Path) -> Self {
         match self {
-            Self::Request(request) => Self::Request(request.about(file)),
+            Self::Request(request) => Self::Request(request.in_file(file)),
             other => other,
         }
     }

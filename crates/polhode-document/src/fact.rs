@@ -157,7 +157,7 @@ impl Fact {
     /// Sets the size of the terms that the value is computed from, in its SI unit; text shows rounding
     /// of this size as 0.
     #[must_use]
-    pub fn beside(self, scale: f64) -> Self {
+    pub fn with_term_size(self, scale: f64) -> Self {
         Self { scale, ..self }
     }
 
@@ -449,7 +449,7 @@ mod tests {
 
     #[test]
     fn rounding_is_zero() {
-        let torque = Fact::new("n", "N", Quantity::Vector([1e-15, 0.0, -1e-14], "N·m")).beside(2.0);
+        let torque = Fact::new("n", "N", Quantity::Vector([1e-15, 0.0, -1e-14], "N·m")).with_term_size(2.0);
         let facts = [Facts::new("", vec![torque])];
         assert_eq!(facts[0].to_text(false), "\n  N                   (0, 0, 0) N·m\n");
         assert_eq!(object(&[], &facts)["n"], json!([1e-15, 0.0, -1e-14]));

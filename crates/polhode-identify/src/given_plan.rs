@@ -48,19 +48,20 @@ impl Request {
                     "--mass" => "remove it; or add --body, to print a body of this mass",
                     _ => "remove the file, or write a plan of the swings",
                 };
-                Err(Failure::usage(message, hint).about(file))
+                Err(Failure::usage(message, hint).in_file(file))
             }
             ([plan], gyro, None) if !is_log(plan) => match gyro {
                 Some(option) => Err(Failure::usage(
                     format!("{option} applies to a log, but this file is read as a plan"),
                     ends() + "; with a plan, write the setting in the plan",
                 )
-                .about(plan)),
+                .in_file(plan)),
                 None => Ok(GivenPlan::File(plan.clone())),
             },
             (all, _, None) => match all.iter().find(|file| !is_log(file)) {
                 Some(plan) => {
-                    Err(Failure::usage("a plan must be the only file: it names its logs", ends()).about(plan))
+                    Err(Failure::usage("a plan must be the only file: it names its logs", ends())
+                        .in_file(plan))
                 }
                 None => Ok(GivenPlan::Text(self.tumble_plan())),
             },

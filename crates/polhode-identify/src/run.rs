@@ -31,7 +31,7 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Identified, Failure> 
     let report = IdentifyReport::of(&plan).map_err(|error| refused(place, error))?;
     let body = || {
         let body = report.to_scenario(&size(request)?);
-        body.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(place))
+        body.map_err(|why| Failure::usage(why.to_string(), why.hint()).in_file(place))
     };
     let body = request.body.then(body).transpose()?;
     Ok(Identified { report, body, is_strict: request.strict })
@@ -86,6 +86,6 @@ fn refused(place: &Path, error: IdentifyError) -> Failure {
     let hint = error.hint().unwrap_or_default();
     match error {
         IdentifyError::Motion(error) => Failure::Motion { path: shown(place), error },
-        error => Failure::usage(error.to_string(), hint).about(place),
+        error => Failure::usage(error.to_string(), hint).in_file(place),
     }
 }

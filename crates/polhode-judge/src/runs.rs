@@ -74,7 +74,7 @@ impl<'a> Judge<'a> {
                 let hint = "add the scenario: polhode judge SCENARIO.toml RUN; or name it in the log: a line `# scenario = \"t-handle.toml\"` before the header";
                 return Err(Failure::usage(format!("{path} does not name its scenario"), hint));
             };
-            let files = Confined::beside(self.files, run, &self.request.roots);
+            let files = Confined::to_folder_of(self.files, run, &self.request.roots);
             let scenario = files.named(folder(run), said).map_err(|why| {
                 let message = format!("the log names the scenario {:?}, which is not opened: {why}", said.display());
                 let hint = match why {
@@ -85,7 +85,7 @@ impl<'a> Judge<'a> {
                         "add the scenario before the run: polhode judge SCENARIO.toml RUN"
                     }
                 };
-                Failure::usage(message, hint).about(run)
+                Failure::usage(message, hint).in_file(run)
             })?;
             match &found {
                 Some((other, _)) if *other != scenario => {
@@ -114,7 +114,9 @@ impl<'a> Judge<'a> {
         if is_path_of(self.files, folder(run), said, &scenario.path) {
             return Ok(());
         }
-        let named = match Confined::beside(self.files, run, &self.request.roots).named(folder(run), said) {
+        let named = match Confined::to_folder_of(self.files, run, &self.request.roots)
+            .named(folder(run), said)
+        {
             Ok(named) => named,
             Err(why) => {
                 let message = format!(
@@ -130,7 +132,7 @@ impl<'a> Judge<'a> {
                         "correct the line `scenario = …` of the log, or remove it"
                     }
                 };
-                return Err(Failure::usage(message, hint).about(run));
+                return Err(Failure::usage(message, hint).in_file(run));
             }
         };
         let is_same = self.files.canonical(&scenario.path).is_ok_and(|given| given == named)
@@ -144,7 +146,7 @@ impl<'a> Judge<'a> {
             shown(&scenario.path)
         );
         let hint = "use the scenario that the log names, or remove the line `scenario = …` from the log";
-        Err(Failure::usage(message, hint).about(run))
+        Err(Failure::usage(message, hint).in_file(run))
     }
 
     /// Judges a run. `step` is the step in its name, s.
@@ -177,8 +179,8 @@ fn refused(file: &ScenarioFile, path: &Path, error: JudgeError) -> Failure {
             None => Failure::of_motion(&file.path, error),
         },
         JudgeError::NoMotion | JudgeError::Changing | JudgeError::OnGround | JudgeError::InGimbals => {
-            Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).about(&file.path)
+            Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).in_file(&file.path)
         }
-        error => Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).about(path),
+        error => Failure::usage(error.to_string(), judge_hint(&error).unwrap_or_default()).in_file(path),
     }
 }

@@ -91,7 +91,7 @@ pub(crate) fn body_derivatives<'py>(
                 columns(parts.iter().map(PartDerivatives::by_mass)),
                 columns(parts.iter().flat_map(PartDerivatives::by_position)),
                 columns(parts.iter().flat_map(PartDerivatives::by_rotation)),
-                columns(parts.iter().flat_map(|part| units.map(|unit| part.by(&unit)))),
+                columns(parts.iter().flat_map(|part| units.map(|unit| part.by_part_change(&unit)))),
             ])
         })
         .map_err(|error: BodyError| error.raise())?;

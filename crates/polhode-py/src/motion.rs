@@ -167,7 +167,7 @@ impl PyMotion {
     /// Returns the continuation of the motion from its end, at these times.
     fn after(&self, py: Python<'_>, times: PyReadonlyArray1<'_, f64>, error: &str) -> PyResult<Self> {
         let times = numbers(&times)?.to_vec();
-        let scenario = self.scenario.after(&self.trajectory, times).map_err(Raise::raise)?;
+        let scenario = self.scenario.continued_after(&self.trajectory, times).map_err(Raise::raise)?;
         let motion = computed(py, &scenario, error, &self.raised)?;
         let motion = motion.ok_or_else(|| refused("the scenario has no [run] section", None))?;
         Ok(Self {

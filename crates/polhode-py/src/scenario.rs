@@ -89,7 +89,7 @@ pub(crate) fn with_functions(
     let acting = models.into_iter().zip(names).enumerate();
     let acting = acting.map(|(k, (model, name))| ActingTorque { model, name, is_on: !off.contains(&k) });
     let acting: Vec<ActingTorque> = acting.collect();
-    scenario.under(acting).map_err(Raise::raise)
+    scenario.with_torques(acting).map_err(Raise::raise)
 }
 
 /// Returns the scenario with some event measures replaced by Python functions.

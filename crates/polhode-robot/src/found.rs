@@ -58,7 +58,7 @@ pub(crate) fn is_folder(files: &dyn Files, path: &Path) -> bool {
 }
 
 fn unread(path: &Path, message: String, hint: &str) -> Found {
-    Err((path.to_owned(), Failure::usage(message, hint).about(path)))
+    Err((path.to_owned(), Failure::usage(message, hint).in_file(path)))
 }
 
 fn search(files: &dyn Files, root: &Path, models: &mut Vec<Found>) {

@@ -197,6 +197,6 @@ fn failure(model: &RobotModel, error: &LinkError) -> Failure {
             let FilePlace { file, line, column, .. } = Places::of(model).place(&span);
             Failure::located(message, file, [line, column], hint)
         }
-        None => Failure::usage(message, hint).about(&model.path),
+        None => Failure::usage(message, hint).in_file(&model.path),
     }
 }

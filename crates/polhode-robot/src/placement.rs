@@ -59,7 +59,7 @@ impl<F: Frame> Placement<F, F> {
         match joint.kind {
             JointKind::Revolute => {
                 let anchor = Position::<F>::from_array(joint.anchor);
-                let rotation = Rotation::about(axis, q).ok()?;
+                let rotation = Rotation::from_axis_angle(axis, q).ok()?;
                 Some(Self { position: anchor - rotation * anchor, rotation })
             }
             JointKind::Prismatic => {

@@ -130,7 +130,7 @@ impl<'a> Inputs<'a> {
         let read = |input: Found| match input {
             Ok(path) => {
                 let model = read_model(&path, &reading(&path));
-                (model.map_err(|error| Failure::from(error).about(&path)), path)
+                (model.map_err(|error| Failure::from(error).in_file(&path)), path)
             }
             Err((path, failure)) => (Err(failure), path),
         };
@@ -147,7 +147,7 @@ impl<'a> Inputs<'a> {
         let outcome = |(model, path): (Result<RobotModel, Failure>, PathBuf)| FileChecked {
             name: self.names.of(&path),
             report: model.and_then(|model| {
-                let failed = |failure: Failure| failure.about(&path);
+                let failed = |failure: Failure| failure.in_file(&path);
                 self.report(&path, model, &shapes, &reading(&path)).map_err(failed)
             }),
             path,

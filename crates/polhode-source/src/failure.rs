@@ -68,7 +68,7 @@ impl Failure {
 
     /// Returns the failure with the path of its file, unless it has one already.
     #[must_use]
-    pub fn about(self, file: &Path) -> Self {
+    pub fn in_file(self, file: &Path) -> Self {
         match self {
             Self::Usage { message, file: None, place, hint } => {
                 Self::Usage { message, file: Some(shown(file)), place, hint }
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn a_failure_names_its_file_once() {
         let file = Path::new("a\u{1b}\nb.stl");
-        let failure = Failure::usage("the mesh has no part", "name it").about(file).about(Path::new("c"));
+        let failure = Failure::usage("the mesh has no part", "name it").in_file(file).in_file(Path::new("c"));
         assert_eq!(
             failure.to_string(),
             "error: the mesh has no part\n  --> a\\u{1b}\\nb.stl\nhint: name it\n"

@@ -83,7 +83,8 @@ fn problems() -> Result<[Problem; 3], Box<dyn Error>> {
 
 /// Returns a start tilted by 1 rad about x.
 fn start(k: usize) -> State {
-    let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), 1.0).unwrap_or(Rotation::identity());
+    let attitude =
+        Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), 1.0).unwrap_or(Rotation::identity());
     State { time: 0.0, attitude, omega: AngularVelocity::new(0.3, 0.5 - 3e-4 * k as f64, 0.9) }
 }
 

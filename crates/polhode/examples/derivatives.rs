@@ -48,7 +48,7 @@ fn heavy_top() -> Result<Problem, Box<dyn Error>> {
     let (mass, g) = (1.0 / 1024.0, 1024.0);
     let inertia = InertiaTensor::diagonal([1.0 - mass, 1.0 - mass, 0.5])?;
     let body = MassProperties::new(mass, Position::new(0.0, 0.0, 1.0), inertia)?;
-    let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_3)?;
+    let attitude = Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_3)?;
     let torques =
         vec![TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(0.0, 0.0, -g) })];
     let start = State { attitude, ..start([0.0, 0.0, 5.0]) };

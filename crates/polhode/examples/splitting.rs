@@ -124,7 +124,7 @@ fn heavy(
         [mass * x * y, mass * z * x, mass * y * z],
     )?;
     let body = MassProperties::new(mass, Position::new(x, y, z), inertia)?;
-    let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_3)?;
+    let attitude = Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_3)?;
     Ok(Problem {
         name,
         rotor: Rotor::pivoted(&body, Position::ZERO),

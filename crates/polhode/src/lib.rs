@@ -11,7 +11,7 @@
 //! // A body of two parts: a brick, and a short rod across its top.
 //! let brick = BoxShape::new([0.20, 0.10, 0.06])?.mass_properties(Substance::Density(1800.0))?;
 //! let rod = Rod::new(0.30)?.mass_properties(Substance::Mass(0.4))?;
-//! let across = Rotation::about(Direction::new(0.0, 1.0, 0.0), std::f64::consts::FRAC_PI_2)?;
+//! let across = Rotation::from_axis_angle(Direction::new(0.0, 1.0, 0.0), std::f64::consts::FRAC_PI_2)?;
 //! let body = assemble(&[
 //!     PlacedPart::new(brick, Position::ZERO, Rotation::identity())?,
 //!     PlacedPart::new(rod, Position::new(0.02, 0.01, 0.05), across)?,

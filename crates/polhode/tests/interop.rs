@@ -11,7 +11,7 @@ fn tensor() -> InertiaTensor<Body> {
 }
 
 fn attitude() -> Attitude {
-    Attitude::about(Direction::new(0.3, -0.5, 0.7), 1.1).unwrap()
+    Attitude::from_axis_angle(Direction::new(0.3, -0.5, 0.7), 1.1).unwrap()
 }
 
 fn body() -> MassProperties<Body> {

@@ -20,6 +20,6 @@ impl<'a> Access<'a> {
 
     /// Returns the files that a list may open.
     pub(crate) fn of(self, list: &Path) -> Confined<'a> {
-        Confined::beside(self.files, list, self.roots)
+        Confined::to_folder_of(self.files, list, self.roots)
     }
 }

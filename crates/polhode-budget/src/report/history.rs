@@ -33,7 +33,7 @@ pub(crate) fn files(file: &BudgetFile, basis: Basis, target: &Path) -> Result<[M
     let (prescribed, over_time) = over_time.ok_or_else(nothing)?;
     if target.extension().is_none_or(|extension| extension != "toml") {
         let hint = "use a file name that ends in .toml; the table gets the same name with .csv";
-        return Err(Failure::usage("a scenario is a TOML file", hint).about(target));
+        return Err(Failure::usage("a scenario is a TOML file", hint).in_file(target));
     }
     let sequence = prescribed.sequence(over_time.configuration.as_deref(), basis);
     let sequence = sequence.ok_or_else(|| Failure::usage("unknown configuration", ""))?;

@@ -60,7 +60,7 @@ pub(crate) fn asked(estimate: &Estimate<Body>, options: &Questions) -> Option<As
     let turned = estimate.along(into_axes);
     let mut numbers = ten(&turned.properties);
     let Some(point) = options.about else { return Some(Asked { numbers, covariance: turned.covariance }) };
-    let EstimateAbout { inertia, covariance } = turned.about(into_axes * point);
+    let EstimateAbout { inertia, covariance } = turned.about_point(into_axes * point);
     numbers[4..].copy_from_slice(&elements(inertia.matrix()));
     Some(Asked { numbers, covariance })
 }

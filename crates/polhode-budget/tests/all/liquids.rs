@@ -44,7 +44,7 @@ fn errors(k: usize, amount: f64, density: f64) -> LiquidErrors {
 }
 
 fn turned(position: [f64; 3], angle: f64) -> Place {
-    let rotation = Rotation::about(Direction::new(0.3, -0.5, 0.8), angle).unwrap();
+    let rotation = Rotation::from_axis_angle(Direction::new(0.3, -0.5, 0.8), angle).unwrap();
     Place { position: Position::from_array(position), rotation }
 }
 

@@ -19,7 +19,7 @@ fn part(mass: f64, at: [f64; 3]) -> GivenPart {
 }
 
 fn turned(angle: f64) -> Place {
-    let rotation = Rotation::about(Direction::new(0.3, -0.5, 0.8), angle).unwrap();
+    let rotation = Rotation::from_axis_angle(Direction::new(0.3, -0.5, 0.8), angle).unwrap();
     Place { position: Position::new(0.1, -0.2, 0.4), rotation }
 }
 

@@ -174,7 +174,7 @@ fn other_points_and_axes() {
         // About a point: J, and its variance along an axis through the point, by the gradient of nᵀ
         // J n.
         let point = Position::new(0.7, -0.4, 1.3);
-        let about = estimate.about(point);
+        let about = estimate.about_point(point);
         let n = Direction::<Body>::new(0.48, -0.6, 0.64);
         let d = estimate.properties.center_of_mass() - point;
         let mass = estimate.properties.mass();

@@ -41,7 +41,7 @@ pub(super) fn tables(
 ) -> Option<Result<(), CommandFailure>> {
     let table = |file: &PathBuf| {
         let table = fits(file).and_then(|()| flags.link_table(&Disk, file));
-        (file.clone(), table.map_err(|failure| failure.about(file)))
+        (file.clone(), table.map_err(|failure| failure.in_file(file)))
     };
     let print_all = || {
         let tables = LinkTables(files.iter().map(table).collect());

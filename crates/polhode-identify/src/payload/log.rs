@@ -36,7 +36,7 @@ pub struct PayloadRow {
 /// ```
 /// use polhode::math::{Acceleration, Attitude, Direction};
 /// use polhode_identify::payload::gravity_along;
-/// let quarter = Attitude::about(Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2)?;
+/// let quarter = Attitude::from_axis_angle(Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2)?;
 /// let down = gravity_along(quarter, Acceleration::new(0.0, 0.0, -9.81));
 /// assert!((down.y + 9.81).abs() < 1e-14 && down.z.abs() < 1e-14);
 /// # Ok::<(), polhode::math::RotationError>(())

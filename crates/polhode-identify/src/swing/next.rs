@@ -123,7 +123,7 @@ fn turned(test: &SwingTest, about: [i8; 3], found: &SwingEstimate) -> Option<Pla
     // The sign of an axis does not matter.
     let wanted = if wanted.dot(axis) < 0.0 { -wanted } else { wanted };
     let turn = match wanted.cross(axis).direction() {
-        Some(about) => Rotation::<Body, Body>::about(about, wanted.angle_to(axis)).ok()?,
+        Some(about) => Rotation::<Body, Body>::from_axis_angle(about, wanted.angle_to(axis)).ok()?,
         None => Rotation::identity(),
     };
     let c: Position<Body> = found.body.center_of_mass();

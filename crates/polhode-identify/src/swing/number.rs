@@ -75,7 +75,7 @@ impl From<NumberId> for Linear {
 /// let mut plan = SwingPlan::new(Measured::exact(2.0), [Measured::exact(0.0); 3]);
 /// let r = plan.number("radius", "m", Measured::new(0.2, 0.5e-3));
 /// // on a circle of this radius, at 30°, 5 cm above the origin
-/// let point = Point::from([0.0, 0.0, 0.05]).along(r, [0.75_f64.sqrt(), 0.5, 0.0]);
+/// let point = Point::from([0.0, 0.0, 0.05]).shifted(r, [0.75_f64.sqrt(), 0.5, 0.0]);
 /// # let _ = point;
 /// ```
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -84,7 +84,7 @@ pub struct Point(pub(super) [Linear; 3]);
 impl Point {
     /// Returns the point shifted by a number of the plan times a vector.
     #[must_use]
-    pub fn along(self, number: NumberId, vector: [f64; 3]) -> Self {
+    pub fn shifted(self, number: NumberId, vector: [f64; 3]) -> Self {
         let mut factors = vector.into_iter();
         Self(self.0.map(|component| match factors.next() {
             Some(factor) if factor != 0.0 => component.plus(factor, number),

@@ -118,7 +118,7 @@ fn columns_and_units_may_be_told() {
 #[test]
 fn gravity_is_turned_to_the_sensor() {
     let folder = Folder::new("gravity");
-    let attitude = Attitude::about(Direction::new(0.3, -0.5, 0.8), 0.9).unwrap();
+    let attitude = Attitude::from_axis_angle(Direction::new(0.3, -0.5, 0.8), 0.9).unwrap();
     let [w, x, y, z] = attitude.quaternion();
     let head = HEAD.replace("gx_m_s2,gy_m_s2,gz_m_s2", "qw,qx,qy,qz");
     let told = Acceleration::new(0.1, -0.2, -9.7);

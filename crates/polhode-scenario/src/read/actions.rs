@@ -79,7 +79,8 @@ impl Actions {
         if let Some(orbit) = orbit {
             scenario = scenario.in_orbit(orbit.clone()).map_err(whole)?;
         }
-        scenario = scenario.under(acting).and_then(|scenario| scenario.watching(events)).map_err(whole)?;
+        scenario =
+            scenario.with_torques(acting).and_then(|scenario| scenario.watching(events)).map_err(whole)?;
         let noticed = scenario.check();
         scenario = scenario.noting(noticed).noting(shared.and_then(|shared| shared.underground()));
         let path = path.to_owned();

@@ -62,7 +62,7 @@ impl Draft {
             entry.node.each_leaf(&mut |leaf| {
                 // Texts that are not file names do not match existing files.
                 if let Kind::Text(name) = &leaf.kind {
-                    files.push(source.beside(name));
+                    files.push(source.sibling(name));
                 }
             });
         }

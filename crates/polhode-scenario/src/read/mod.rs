@@ -339,8 +339,11 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     if let Some(orbit) = orbit {
         scenario = scenario.in_orbit(orbit.clone()).map_err(whole)?;
     }
-    scenario =
-        scenario.pointing(pointings).with_wheels(&wheels).and_then(|s| s.under(acting)).map_err(whole)?;
+    scenario = scenario
+        .pointing(pointings)
+        .with_wheels(&wheels)
+        .and_then(|s| s.with_torques(acting))
+        .map_err(whole)?;
     scenario = scenario.naming_wheels(wheel_names).watching(events).map_err(whole)?;
     if let Some(PartHistory { history, value, .. }) = history {
         scenario = scenario.changing(history).map_err(|error| value.motion(error))?;

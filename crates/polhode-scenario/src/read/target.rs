@@ -113,7 +113,7 @@ impl Target {
     }
 
     /// Adds another number that gets a value of its own.
-    pub fn beside(mut self, other: Self, key: &Value<'_>) -> Result<Self, FormatError> {
+    pub fn joined_with(mut self, other: Self, key: &Value<'_>) -> Result<Self, FormatError> {
         if self.overlaps(&other) {
             return Err(key.invalid("different from the numbers before it").with_hint("leave it out"));
         }

@@ -71,7 +71,7 @@ impl Template {
         let entries = document(source)?;
         let (nominal, _) = read_root(source, &entries)?;
         let mut files = Vec::new();
-        let mut see = |leaf: &Node| files.extend(leaf.file().map(|name| source.beside(name)));
+        let mut see = |leaf: &Node| files.extend(leaf.file().map(|name| source.sibling(name)));
         entries.values().for_each(|entry| entry.node.each_leaf(&mut see));
         Ok(Self { path: path.to_owned(), entries, files, nominal, text })
     }

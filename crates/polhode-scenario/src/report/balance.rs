@@ -72,7 +72,7 @@ fn kept(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
     if let Some(name) = energy_balance(trajectory) {
         return vec![Balance { name, values: trajectory.energy_departures() }];
     }
-    let Some(drift) = Drift::along(trajectory) else { return Vec::new() };
+    let Some(drift) = Drift::at_samples(trajectory) else { return Vec::new() };
     let one = |name: &'static str, value: fn(&Drift) -> f64| Balance {
         name,
         values: drift.iter().map(value).collect(),

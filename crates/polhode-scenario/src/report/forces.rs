@@ -8,6 +8,6 @@ pub(crate) fn on_particles(scenario: &Scenario, needed: &Required) -> Vec<Partic
         return Vec::new();
     }
     let point = scenario.pivot().unwrap_or(scenario.body().center_of_mass());
-    let force = |p| ParticleForce::on(p, point, needed.state.omega, needed.acceleration);
+    let force = |p| ParticleForce::of(p, point, needed.state.omega, needed.acceleration);
     scenario.particles().iter().map(force).collect()
 }

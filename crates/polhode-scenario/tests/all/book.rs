@@ -151,7 +151,7 @@ fn the_book_has_every_column_of_what_a_motion_needs() {
     )
     .unwrap();
     let motion = rotor.prescribed().unwrap();
-    let samples = [Required::by(rotor.rotor(), motion, 0.0).unwrap()];
+    let samples = [Required::of_motion(rotor.rotor(), motion, 0.0).unwrap()];
     let points = rotor.particles();
     let table = required(&samples, rotor.rotor(), &points, rotor.shaft());
     let rows = rows(section(&page, "## Table of `polhode torque`"));

@@ -43,7 +43,7 @@ fn a_contact_is_what_its_keys_say() {
     let contact = given.contact;
     assert_eq!(*contact.surface.shape(), SurfaceShape::Ellipsoid { semi_axes: [0.3, 0.25, 0.2] });
     assert_eq!(contact.surface.center(), Position::new(0.01, -0.02, 0.03));
-    let turned = Rotation::about(Direction::new(0.0, 0.0, 1.0), 20_f64.to_radians()).unwrap();
+    let turned = Rotation::from_axis_angle(Direction::new(0.0, 0.0, 1.0), 20_f64.to_radians()).unwrap();
     assert!(contact.surface.axes().angle_to(turned) < 1e-15);
     let [x, y, z] = contact.ground.axis().to_array();
     assert!((x - 10_f64.to_radians().sin()).abs() < 1e-16 && y == 0.0 && z > 0.98, "downhill is +x");

@@ -289,7 +289,7 @@ fn the_torsion_pendulum_comes_back_after_its_period() {
     let rate = (0.8e-3 / moment).sqrt();
     for sample in motion.samples() {
         let angle = 170.0_f64.to_radians() * (rate * sample.state.time).cos();
-        let want = Attitude::about(Direction::new(0.0, 0.0, 1.0), angle).unwrap();
+        let want = Attitude::from_axis_angle(Direction::new(0.0, 0.0, 1.0), angle).unwrap();
         assert!(sample.state.attitude.angle_to(want) < 1e-11);
     }
     assert!(Drift::of(&motion).unwrap().total_energy.unwrap() < 1e-12);

@@ -221,7 +221,7 @@ fn text_fits_the_width_asked_for() {
 fn screens_fit_a_hundred_columns() {
     for Solution { scenario, trajectory, .. } in crate::common::solutions() {
         let source = SourceInfo::new("a.toml", "scenario");
-        let turn = Rotation::about(Direction::new(0.3, -1.0, 0.7), 1.0 / 3.0).unwrap();
+        let turn = Rotation::from_axis_angle(Direction::new(0.3, -1.0, 0.7), 1.0 / 3.0).unwrap();
         let inertia = InertiaReport {
             axes: Some(turn),
             about: Some(Position::new(1.0 / 3.0, -1.0 / 7.0, 1.0 / 9.0)),
@@ -373,7 +373,7 @@ fn what_moves_inside_is_worked_out() {
     let body = Scenario::new(MassProperties::new(5.0, Position::ZERO, inertia).unwrap());
     let turning = crate::common::spinning(body, AngularVelocity::new(1.0, 2.0, 3.0));
     let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
-    let scenario = turning.with_wheels(&[held]).unwrap().under([sink]).unwrap();
+    let scenario = turning.with_wheels(&[held]).unwrap().with_torques([sink]).unwrap();
     let document = explain(&scenario).unwrap();
     let text = document.to_text(200);
     for line in [
@@ -413,7 +413,7 @@ fn a_run_says_what_did_not_happen_and_how_a_top_would_precess_steadily() {
     let held = Scenario::new(body).held_at(Position::ZERO).unwrap();
     let leaning = crate::common::facing(held, Attitude::from_euler313([0.3, 0.6, 0.1]).unwrap());
     let top = crate::common::spinning(leaning, AngularVelocity::new(0.0, 0.0, 60.0));
-    let scenario = top.under([TorqueModel::Gravity(UniformGravity::STANDARD)]).unwrap();
+    let scenario = top.with_torques([TorqueModel::Gravity(UniformGravity::STANDARD)]).unwrap();
     let event = |name: &str, value: f64| {
         Event::new(name, Measure::Rate, value, Sense::Either, EventAction::Record).unwrap()
     };

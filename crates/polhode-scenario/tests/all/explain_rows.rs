@@ -87,7 +87,7 @@ fn without_a_period_a_turn_has_several_rows() {
     let torsion = Torsion::spring(40.0, Attitude::identity()).unwrap();
     for duration in [0.05, 60.0] {
         let scenario =
-            body.clone().under(vec![TorqueModel::Torsion(torsion)]).unwrap().sampled(run(duration, 7));
+            body.clone().with_torques(vec![TorqueModel::Torsion(torsion)]).unwrap().sampled(run(duration, 7));
         let rows = rows(&scenario);
         assert_eq!(rows.len(), 9);
         // the fastest oscillation is below √(k/i1)
@@ -103,7 +103,7 @@ fn without_a_period_a_turn_has_several_rows() {
 #[test]
 fn noise_of_the_attitude_is_zero() {
     // half a turn about x and back: rounding of π leaves 6e-17 of the cosine
-    let half = Attitude::about(Direction::new(1.0, 0.0, 0.0), PI).unwrap();
+    let half = Attitude::from_axis_angle(Direction::new(1.0, 0.0, 0.0), PI).unwrap();
     let still = tensor("still", [0.3, 0.4, 0.5], [0.0; 3], [0.0; 3]);
     let at = |attitude: Attitude| crate::common::facing(still.clone(), attitude);
     let shown = text(&at(half), 6);

@@ -82,7 +82,7 @@ fn inertia_of_a_mesh() {
         .with("triangles", 20_480);
     check("inertia.txt", &report.to_text());
     report.about = Some(Position::<Body>::new(0.01, 0.0, -0.02));
-    report.axes = Some(Rotation::about(polhode::math::Direction::new(0.0, 1.0, 1.0), 0.5).unwrap());
+    report.axes = Some(Rotation::from_axis_angle(polhode::math::Direction::new(0.0, 1.0, 1.0), 0.5).unwrap());
     check("inertia_axes.txt", &report.to_text());
     check("inertia.json", &pretty(&report.to_json()));
     check("inertia_cube.txt", &inertia(&crate::common::cube()).to_text());

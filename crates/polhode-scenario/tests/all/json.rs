@@ -64,7 +64,7 @@ fn the_keys_of_inertia_are_the_contract() {
     assert_eq!(json["findings"], Value::Array(Vec::new()));
 
     report.about = Some(Position::new(0.3, -0.2, 0.1));
-    report.axes = Some(Rotation::about(Direction::new(1.0, 2.0, -1.0), 0.8).unwrap());
+    report.axes = Some(Rotation::from_axis_angle(Direction::new(1.0, 2.0, -1.0), 0.8).unwrap());
     report.findings.push(Finding {
         code: "mesh.open",
         severity: Severity::Error,
@@ -83,8 +83,10 @@ fn the_keys_of_inertia_are_the_contract() {
 fn numbers_read_back_bit_for_bit() {
     let body = generic();
     let mut report = InertiaReport::new(SourceInfo::new("a.toml", "scenario"), body);
-    let (point, turn) =
-        (Position::new(0.3, -0.2, 0.1), Rotation::about(Direction::new(1.0, 2.0, -1.0), 0.8).unwrap());
+    let (point, turn) = (
+        Position::new(0.3, -0.2, 0.1),
+        Rotation::from_axis_angle(Direction::new(1.0, 2.0, -1.0), 0.8).unwrap(),
+    );
     (report.about, report.axes) = (Some(point), Some(turn));
     for text in [report.to_json().to_string(), pretty(&report.to_json())] {
         let json: Value = serde_json::from_str(&text).unwrap();
@@ -107,7 +109,7 @@ fn numbers_read_back_bit_for_bit() {
 fn other_axes_are_the_columns_of_the_rotation() {
     // `R_body_axes` maps the new axis k to body components, and nᵀ I n is independent of the axes.
     let body = generic();
-    let turn = Rotation::<Body, Part>::about(Direction::new(1.0, 2.0, -1.0), 0.8).unwrap();
+    let turn = Rotation::<Body, Part>::from_axis_angle(Direction::new(1.0, 2.0, -1.0), 0.8).unwrap();
     let report =
         InertiaReport { axes: Some(turn), ..InertiaReport::new(SourceInfo::new("a.toml", "scenario"), body) };
     let tensor = floats(&report.to_json()["inertia_in_axes"]["tensor"]);

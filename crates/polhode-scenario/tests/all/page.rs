@@ -168,7 +168,7 @@ fn wheels_events_and_switches_are_on_the_page() {
     let mut scenario = crate::common::thruster();
     let brake = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, -0.9)));
     let brake = polhode::motion::ActingTorque { model: brake, name: Some("brake".to_owned()), is_on: false };
-    scenario = scenario.clone().under([scenario.torques()[0].clone().into(), brake]).unwrap();
+    scenario = scenario.clone().with_torques([scenario.torques()[0].clone().into(), brake]).unwrap();
     let along = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
     let action = EventAction::Switch { torque: 1, on: true };
     scenario =

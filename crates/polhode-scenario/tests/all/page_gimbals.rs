@@ -20,8 +20,9 @@ pub(crate) fn gyroscope() -> Scenario {
     let [up, east] = [Direction::new(0.0, 0.0, 1.0), Direction::new(1.0, 0.0, 0.0)];
     let ring = Gimbal::balanced(&InertiaTensor::<Part>::diagonal([1e-4, 1e-4, 2e-4]).unwrap());
     let base = Base::turning(AngularVelocity::new(0.1, 0.0, 0.2)).unwrap();
-    let gimbals = Gimbals::new(up, east, axes.map(Result::unwrap)).unwrap().with_mass(ring, ring).on(base);
-    let gimbals = gimbals.under(Acceleration::new(0.0, 0.0, -9.81)).unwrap();
+    let gimbals =
+        Gimbals::new(up, east, axes.map(Result::unwrap)).unwrap().with_mass(ring, ring).with_base(base);
+    let gimbals = gimbals.with_gravity(Acceleration::new(0.0, 0.0, -9.81)).unwrap();
     let scenario = crate::common::scenario("A gyroscope", vec![part]).in_gimbals(gimbals).unwrap();
     scenario.sampled(crate::common::run(2.0, 201))
 }

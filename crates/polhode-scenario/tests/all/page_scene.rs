@@ -16,7 +16,7 @@ pub(crate) fn top(spin: f64) -> Scenario {
     let scenario = crate::common::facing(scenario, Attitude::from_quaternion([0.9, 0.2, -0.1, 0.3]).unwrap());
     let scenario = crate::common::spinning(scenario, AngularVelocity::new(0.3, -0.2, 10.0 * spin));
     let gravity = UniformGravity { acceleration: Acceleration::new(1.1, -0.7, -9.2) };
-    scenario.under(vec![TorqueModel::Gravity(gravity)]).unwrap().sampled(crate::common::run(3.0, 601))
+    scenario.with_torques(vec![TorqueModel::Gravity(gravity)]).unwrap().sampled(crate::common::run(3.0, 601))
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn a_top_through_the_vertical_has_no_precession_to_be_seen() {
     let gravity = [TorqueModel::Gravity(UniformGravity::STANDARD)];
     let scenario =
         Scenario::new(body).titled("Through").held_at(Position::ZERO).unwrap().starting(start).unwrap();
-    let scenario = scenario.under(gravity).unwrap().sampled(crate::common::run(3.0, 601));
+    let scenario = scenario.with_torques(gravity).unwrap().sampled(crate::common::run(3.0, 601));
     let top = HeavyTop::of(scenario.rotor(), &UniformGravity::STANDARD, start).unwrap();
     assert_eq!(top.path(), TopPath::ThroughVertical);
     let (data, _) = page_of(&scenario);
@@ -171,10 +171,10 @@ fn captions_say_what_is_seen() {
     // among the external ones.
     let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
     let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(1e-5, 2e-5, -3e-5)));
-    let inside = caption(&handle.clone().under(vec![sink.clone()]).unwrap(), "body");
+    let inside = caption(&handle.clone().with_torques(vec![sink.clone()]).unwrap(), "body");
     let cause =
         "No torque from outside: L is constant in space. Friction inside the body takes kinetic energy.";
     assert!(inside.starts_with("|ω| goes from 12 to ") && inside.ends_with(cause), "{inside}");
-    let both = caption(&handle.under(vec![push, sink]).unwrap(), "body");
+    let both = caption(&handle.with_torques(vec![push, sink]).unwrap(), "body");
     assert!(both.contains(" Torque N: constant in body axes; dL/dt = N. Friction inside"), "{both}");
 }

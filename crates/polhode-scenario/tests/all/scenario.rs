@@ -93,7 +93,7 @@ fn hollow_parts_are_placed_as_others() {
     let ball = Sphere::hollow(0.04, 0.031).unwrap().mass_properties(Substance::Density(1240.0)).unwrap();
     let wedge = TriangularPrism::new([[0.01, 0.0], [0.09, 0.005], [0.02, 0.06]], 0.025).unwrap();
     let wedge = wedge.mass_properties(Substance::Mass(0.37)).unwrap();
-    let turn = Rotation::about(Direction::new(1.0, 2.0, 3.0), 40_f64.to_radians()).unwrap();
+    let turn = Rotation::from_axis_angle(Direction::new(1.0, 2.0, 3.0), 40_f64.to_radians()).unwrap();
     let parts = [
         PlacedPart::new(ball, Position::new(0.1, 0.0, -0.02), Rotation::identity()).unwrap(),
         PlacedPart::new(wedge, Position::new(0.0, 0.2, 0.03), turn).unwrap(),

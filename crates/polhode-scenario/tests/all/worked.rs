@@ -130,14 +130,14 @@ fn leaning() -> Scenario {
     let center = Position::from_array(e_.map(|c| arm * c));
     let body = MassProperties::new(mass, center, inertia).unwrap();
     let mut s = Scenario::new(body).held_at(Position::ZERO).unwrap();
-    let tilt = Rotation::about(Direction::new(0.48, 0.6, 0.64), 0.9).unwrap();
+    let tilt = Rotation::from_axis_angle(Direction::new(0.48, 0.6, 0.64), 0.9).unwrap();
     s = common::facing(s, tilt);
     s = common::spinning(
         s,
         AngularVelocity::from_array([0, 1, 2].map(|k| 45.0 * e_[k] + [0.7, -0.4, 0.9][k])),
     );
     let gravity = UniformGravity { acceleration: Acceleration::new(1.2, -0.7, -9.3) };
-    s.under([TorqueModel::Gravity(gravity)]).unwrap()
+    s.with_torques([TorqueModel::Gravity(gravity)]).unwrap()
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn the_pendulums_series_sum_to_its_period() {
 fn resisted(matrix: [[f64; 3]; 3]) -> Scenario {
     let drag = Drag::new(DragLaw::Linear, matrix).unwrap();
     let body = common::tensor("Resisted", [2.0, 3.0, 4.0], [0.0; 3], [0.3, -0.2, 0.5]);
-    body.under([TorqueModel::Drag(drag)]).unwrap()
+    body.with_torques([TorqueModel::Drag(drag)]).unwrap()
 }
 
 #[test]
@@ -286,7 +286,7 @@ fn the_gradient_has_the_librations_of_its_equations() {
     );
     let gradient = GravityGradient { orbit: orbit.unwrap(), attracted: Attracted::Tensor };
     let body = common::tensor("Facing the Earth", [yaw, roll, pitch], [0.0; 3], [0.0, 0.0, n]);
-    let text = step(&body.under([TorqueModel::GravityGradient(Box::new(gradient))]).unwrap(), 5);
+    let text = step(&body.with_torques([TorqueModel::GravityGradient(Box::new(gradient))]).unwrap(), 5);
     let line = text.lines().find(|line| line.contains("pitch: ")).unwrap();
     near(value(line, "/Ip) = "), n * (3.0 * (roll - yaw) / pitch).sqrt(), 1e-5);
     let line = text.lines().find(|line| line.contains("roll and yaw: ")).unwrap();
@@ -334,8 +334,8 @@ fn drag_is_solved_alone_and_across_a_rod() {
     let drag = TorqueModel::Drag(Drag::new(DragLaw::Linear, matrix).unwrap());
     let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.1, 0.2, -0.3)));
     let body = common::tensor("Pushed", [2.0, 3.0, 4.0], [0.0; 3], [0.3, -0.2, 0.5]);
-    assert!(!step(&body.under([drag.clone(), push]).unwrap(), 5).contains("exp(−t/τk)"));
-    let text = step(&common::rod().under([drag]).unwrap(), 5);
+    assert!(!step(&body.with_torques([drag.clone(), push]).unwrap(), 5).contains("exp(−t/τk)"));
+    let text = step(&common::rod().with_torques([drag]).unwrap(), 5);
     assert!(text.contains("Without inertia about axis 1"), "{text}");
     assert!(text.contains("C22 / i2 = ") && text.contains("C23 / i2 = ") && !text.contains('—'), "{text}");
 }

@@ -263,7 +263,7 @@ fn the_rattleback_rattles_as_it_is_said_to() {
     }
     // Growth at a slow spin, compared with the run: the largest tilts in two intervals of the fast
     // oscillation.
-    let pitched = Attitude::about(Direction::new(0.0, 1.0, 0.0), 1e-5).unwrap();
+    let pitched = Attitude::from_axis_angle(Direction::new(0.0, 1.0, 0.0), 1e-5).unwrap();
     let setting = Setting { attitude: pitched, ..rattleback(-0.8, 0.0) };
     let line = text.lines().find(|line| line.contains("it grows, σ = ")).unwrap();
     let growth = number(line, "it grows, σ = ");

@@ -103,7 +103,7 @@ impl Kind {
     #[cfg(feature = "arguments")]
     fn about(self) -> &'static str {
         match self {
-            Self::Mesh(format) => format.about().trim_end_matches('.'),
+            Self::Mesh(format) => format.description().trim_end_matches('.'),
             other => other.entry().map_or("", |(_, _, about, _)| about),
         }
     }

@@ -44,7 +44,7 @@ pub fn run_in(request: &Request, files: &dyn Files, host: &mut dyn Host) -> Resu
     for path in &request.files {
         host.begin(path);
         let reports = request.reports(path, files, host, &mut bodies.mesh);
-        let reports = reports.map_err(|failure| failure.about(path));
+        let reports = reports.map_err(|failure| failure.in_file(path));
         bodies.files.push(FileBodies { path: path.clone(), reports });
     }
     Ok(bodies)

@@ -98,7 +98,7 @@ macro_rules! formats {
             }
 
             /// Returns a one-line description.
-            pub fn about(self) -> &'static str {
+            pub fn description(self) -> &'static str {
                 match self {
                     $(Self::$format => concat!($($about),*).trim(),)*
                 }

@@ -103,7 +103,7 @@ impl Header {
                 Role::Name | Role::Count => {}
                 Role::Number(number) => {
                     let factor = column.factor(number, options, field)?;
-                    if scales[number].replace(Scale::by(factor)).is_some() {
+                    if scales[number].replace(Scale::from_factor(factor)).is_some() {
                         let rule = "used once".to_owned();
                         return Err(super::value("the column", NAMES[number].to_owned(), rule, place()));
                     }
@@ -156,10 +156,10 @@ impl Header {
             error(ContentErrorKind::unclear(question, ""))
                 .hint(format!("add a header, such as mass_kg,x_m,y_m,z_m, or give the unit by {flag}"))
         };
-        let length = Scale::by(options.length_unit.ok_or_else(|| unclear("length", "--unit"))?);
+        let length = Scale::from_factor(options.length_unit.ok_or_else(|| unclear("length", "--unit"))?);
         let mass = match (first, options.mass_unit) {
             (MASS, None) => return Err(unclear("mass", "--mass-unit")),
-            (_, unit) => Scale::by(unit.unwrap_or(1.0)),
+            (_, unit) => Scale::from_factor(unit.unwrap_or(1.0)),
         };
         let message =
             format!("the file has no header: the columns were read as {}", NAMES[first..4].join(", "));

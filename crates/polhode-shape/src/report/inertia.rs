@@ -127,7 +127,7 @@ impl InertiaReport {
             let about = json!({
                 "point": vector(point),
                 "tensor": matrix(tensor.matrix()),
-                "principal": block::principal(&PrincipalFrame::about(&tensor)),
+                "principal": block::principal(&PrincipalFrame::about_pivot(&tensor)),
             });
             object.insert("inertia_about".to_owned(), about);
         }
@@ -212,7 +212,7 @@ impl InertiaReport {
             "inertia about {place}, along body axes, off-diagonal = -∫xy dm, in kg·m²"
         )));
         text.push_str(&tensor(about.matrix()));
-        let principal = PrincipalFrame::about(&about);
+        let principal = PrincipalFrame::about_pivot(&about);
         text.push_str(&moments(&principal));
         text.push_str(&axes(&principal));
     }

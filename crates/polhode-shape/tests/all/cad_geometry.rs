@@ -97,7 +97,7 @@ fn block(random: &mut Random) -> MassProperties<Body> {
     let block =
         BoxShape::new(size).unwrap().mass_properties(Substance::Mass(random.between(0.1, 0.4))).unwrap();
     let axis = Direction::from_array([0; 3].map(|_| random.between(-1.0, 1.0)));
-    let turn: Rotation<Body, Part> = Rotation::about(axis, random.between(0.3, 2.8)).unwrap();
+    let turn: Rotation<Body, Part> = Rotation::from_axis_angle(axis, random.between(0.3, 2.8)).unwrap();
     let place = Position::from_array([0; 3].map(|_| random.between(-0.002, 0.002)));
     PlacedPart::new(block, place, turn).unwrap().in_body()
 }
@@ -262,7 +262,7 @@ fn freecad(
     matrix: impl Fn([[f64; 3]; 3]) -> String,
     shown: impl Fn([String; 3]) -> String,
 ) -> (String, MassProperties<Body>) {
-    let turn: Rotation<Body, Part> = Rotation::about(Direction::new(1.0, 2.0, 3.0), 0.7).unwrap();
+    let turn: Rotation<Body, Part> = Rotation::from_axis_angle(Direction::new(1.0, 2.0, 3.0), 0.7).unwrap();
     let block =
         BoxShape::new([0.02, 0.03, 0.05]).unwrap().mass_properties(Substance::Density(2700.0)).unwrap();
     let body = PlacedPart::new(block, Position::new(0.011, -0.007, 0.023), turn).unwrap().in_body();

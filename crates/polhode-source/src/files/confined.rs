@@ -17,7 +17,7 @@ use super::{Files, Kind, Look, OpenFile, lexical};
 /// let folder = std::env::temp_dir().join(format!("polhode-confined-{}", std::process::id()));
 /// std::fs::create_dir_all(folder.join("inner"))?;
 /// std::fs::write(folder.join("inner/a.stl"), "")?;
-/// let files = Confined::beside(&Disk, &folder.join("list.csv"), &[]);
+/// let files = Confined::to_folder_of(&Disk, &folder.join("list.csv"), &[]);
 /// assert!(files.named(&folder, "inner/../inner/a.stl".as_ref()).is_ok());
 /// assert_eq!(files.named(&folder, "b.stl".as_ref()), Err(NotOpened::Missing));
 /// assert_eq!(files.named(&folder, "inner".as_ref()), Err(NotOpened::NotRegular));
@@ -50,7 +50,7 @@ pub enum NotOpened {
 impl<'a> Confined<'a> {
     /// Allows the folder of a data file, and the roots;
     /// [`require_folders`](crate::file::require_folders) checks the roots.
-    pub fn beside(files: &'a dyn Files, file: &Path, roots: &[PathBuf]) -> Self {
+    pub fn to_folder_of(files: &'a dyn Files, file: &Path, roots: &[PathBuf]) -> Self {
         let folder = or_here(file.parent().unwrap_or(Path::new(""))).to_owned();
         Self::within(files, std::iter::once(folder).chain(roots.iter().cloned()))
     }

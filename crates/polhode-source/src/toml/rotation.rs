@@ -71,5 +71,5 @@ fn written<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, Form
 
 fn about<A: Frame, B: Frame>(table: &Table<'_>, axis: &Value<'_>) -> Result<Rotation<A, B>, FormatError> {
     let angle = table.require("angle", "angle = \"90 deg\"")?.quantity(Dimension::ANGLE)?;
-    Rotation::about(Direction::from_array(axis.numbers()?), angle).map_err(|e| axis.rotation(e))
+    Rotation::from_axis_angle(Direction::from_array(axis.numbers()?), angle).map_err(|e| axis.rotation(e))
 }

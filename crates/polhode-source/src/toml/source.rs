@@ -78,7 +78,7 @@ impl<'a> Source<'a> {
     }
 
     /// Returns the path of a file that the scenario names, relative to the scenario.
-    pub fn beside(&self, name: &str) -> PathBuf {
+    pub fn sibling(&self, name: &str) -> PathBuf {
         self.path.parent().unwrap_or(Path::new("")).join(name)
     }
 

@@ -12,7 +12,7 @@ pub enum Scale {
 
 impl Scale {
     /// Creates a scale from its factor.
-    pub fn by(factor: f64) -> Self {
+    pub fn from_factor(factor: f64) -> Self {
         let inverse = (1.0 / factor).round();
         let exact = factor < 1.0 && 1.0 / inverse == factor;
         if exact { Self::Over(inverse) } else { Self::Times(factor) }

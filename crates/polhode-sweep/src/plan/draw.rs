@@ -91,7 +91,7 @@ impl Draw {
         let turned = match spread {
             Spread::Normal(sd) => {
                 let vector = Direction::<Body>::from_array(uniform.map(|u| sd * normal::quantile(u)));
-                let turn = Rotation::<Body, Body>::about(vector, vector.norm());
+                let turn = Rotation::<Body, Body>::from_axis_angle(vector, vector.norm());
                 nominal * turn.unwrap_or(Rotation::identity())
             }
             _ => return shoemake(uniform),

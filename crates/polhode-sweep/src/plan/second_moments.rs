@@ -170,7 +170,7 @@ mod tests {
 
     /// Returns a rotation about a generic axis.
     fn turn() -> Rotation<Body, Body> {
-        Rotation::about(Direction::new(0.3, -0.8, 0.5), 1.1).unwrap()
+        Rotation::from_axis_angle(Direction::new(0.3, -0.8, 0.5), 1.1).unwrap()
     }
 
     /// Returns draws of a body.

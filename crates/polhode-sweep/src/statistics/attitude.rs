@@ -129,7 +129,7 @@ mod tests {
         let base = Attitude::from_quaternion([0.3, -0.5, 0.7, 0.2]).unwrap();
         let turn = |angle: f64| {
             let axis = polhode::math::Direction::<Body>::new(0.36, -0.48, 0.8);
-            (base * Rotation::<Body, Body>::about(axis, angle).unwrap()).quaternion()
+            (base * Rotation::<Body, Body>::from_axis_angle(axis, angle).unwrap()).quaternion()
         };
         let angles = [-0.2, 0.1, 0.4];
         let all = angles.iter().enumerate().map(|(k, a)| {

@@ -393,7 +393,7 @@ impl Known<'_> {
             };
             if si {
                 let shown = format!("{assumed} (no unit is named)");
-                return Ok(Unit { scale: Scale::by(1.0), shown, is_stated: false });
+                return Ok(Unit { scale: Scale::from_factor(1.0), shown, is_stated: false });
             }
             let question = format!("in which unit is {}?", header.listed(columns));
             let kind = ContentErrorKind::Unclear { question, found: String::new() };
@@ -408,6 +408,6 @@ impl Known<'_> {
             let rule = format!("a unit that polhode knows: {wrong}");
             value(&what, unit.clone(), rule, header.place(columns[0]))
         })?;
-        Ok(Unit { scale: Scale::by(factor), shown: unit, is_stated: true })
+        Ok(Unit { scale: Scale::from_factor(factor), shown: unit, is_stated: true })
     }
 }

@@ -45,7 +45,8 @@ impl Sequence {
             axis[self.axes[k]] = 1.0;
             let [x, y, z] = axis;
             // This cannot fail: the axis has length 1, and the angle is finite.
-            Rotation::<Body, Body>::about(Direction::new(x, y, z), angles[k]).unwrap_or(Rotation::identity())
+            Rotation::<Body, Body>::from_axis_angle(Direction::new(x, y, z), angles[k])
+                .unwrap_or(Rotation::identity())
         };
         let whole = if self.extrinsic { turn(2) * turn(1) * turn(0) } else { turn(0) * turn(1) * turn(2) };
         whole.quaternion()

@@ -24,7 +24,7 @@ fn wheels() -> [Wheel; 2] {
 fn trajectories() -> [(Trajectory, Surroundings); 3] {
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.0, Position::new(0.1, -0.2, 0.5), inertia).unwrap();
-    let attitude: Attitude = Rotation::about(Direction::new(0.2, -0.3, 0.9), 2.1).unwrap();
+    let attitude: Attitude = Rotation::from_axis_angle(Direction::new(0.2, -0.3, 0.9), 2.1).unwrap();
     let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.3, -2.5, 0.9) };
     let times: Vec<f64> = (0..200).map(|k| f64::from(k) * 0.05).collect();
     let gravity = TorqueModel::Gravity(UniformGravity::STANDARD);

@@ -66,7 +66,7 @@ pub struct BodyPart {
 /// use polhode::math::{Position, Rotation};
 /// let brick = BoxShape::new([1.0, 1.0, 2.0])?.mass_properties(Substance::Mass(1.0))?;
 /// let upright = PlacedPart::new(brick, Position::ZERO, Rotation::identity())?;
-/// let quarter = Rotation::about(polhode::math::Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2)?;
+/// let quarter = Rotation::from_axis_angle(polhode::math::Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2)?;
 /// let lying = PlacedPart::new(brick, Position::new(0.0, 1.5, 0.0), quarter)?;
 /// let body = assemble(&[upright, lying])?;
 /// assert!((body.inertia().matrix()[0][0] - 47.0 / 24.0).abs() < 1e-15); // NASA JEOD, mass_01

@@ -101,14 +101,14 @@ impl PartDerivatives {
 
     /// Returns the derivative with respect to any parameter, from the derivative of the part's own
     /// mass properties in its own axes.
-    pub fn by(&self, change: &MassPropertiesDerivative<Part>) -> MassPropertiesDerivative<Body> {
+    pub fn by_part_change(&self, change: &MassPropertiesDerivative<Part>) -> MassPropertiesDerivative<Body> {
         self.of_whole(&change.in_frame(self.rotation))
     }
 
     /// Returns the gradient of a scalar with respect to the part's own mass properties (in its own
     /// axes), from its gradient with respect to those of the assembly.
     pub fn gradient(&self, of_whole: &MassPropertiesGradient<Body>) -> MassPropertiesGradient<Part> {
-        of_whole.pulled_back(|change| self.by(change))
+        of_whole.pulled_back(|change| self.by_part_change(change))
     }
 
     fn of_whole(&self, change: &MassPropertiesDerivative<Body>) -> MassPropertiesDerivative<Body> {

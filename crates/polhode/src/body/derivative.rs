@@ -193,7 +193,7 @@ impl MassPropertiesGradient<Body> {
 impl<F: Frame> MassPropertiesGradient<F> {
     /// Returns the derivative of the scalar with respect to the parameter whose derivative of the
     /// mass properties is `change`.
-    pub fn along(&self, change: &MassPropertiesDerivative<F>) -> f64 {
+    pub fn derivative_along(&self, change: &MassPropertiesDerivative<F>) -> f64 {
         let of_inertia = self.by_inertia.iter().zip(change.inertia).map(|(g, x)| g * x).sum::<f64>();
         self.by_mass * change.mass + self.by_center_of_mass.dot(change.center_of_mass) + of_inertia
     }
@@ -205,7 +205,7 @@ impl<F: Frame> MassPropertiesGradient<F> {
         of: impl Fn(&MassPropertiesDerivative<A>) -> MassPropertiesDerivative<F>,
     ) -> MassPropertiesGradient<A> {
         let none = MassPropertiesDerivative { mass: 0.0, center_of_mass: Position::ZERO, inertia: [0.0; 6] };
-        let by = |change: MassPropertiesDerivative<A>| self.along(&of(&change));
+        let by = |change: MassPropertiesDerivative<A>| self.derivative_along(&of(&change));
         MassPropertiesGradient {
             by_mass: by(MassPropertiesDerivative { mass: 1.0, ..none }),
             by_center_of_mass: Direction::from_array(MassPropertiesDerivative::by_translation().map(by)),

@@ -115,7 +115,7 @@ impl<F: Frame> PrincipalFrame<F> {
 
     /// Returns the principal moments and axes of a tensor about another point, for motion about a
     /// fixed pivot.
-    pub fn about(tensor: &InertiaAbout<F>) -> Self {
+    pub fn about_pivot(tensor: &InertiaAbout<F>) -> Self {
         Self::of_symmetric(tensor.symmetric())
     }
 

@@ -17,7 +17,7 @@ use super::vector::{Direction, Vector, quantity};
 ///
 /// ```
 /// use polhode::math::{Attitude, Body, Direction, Rotation, Space};
-/// let attitude: Attitude = Rotation::about(Direction::new(0.0, 0.0, 2.0), 0.5)?;
+/// let attitude: Attitude = Rotation::from_axis_angle(Direction::new(0.0, 0.0, 2.0), 0.5)?;
 /// let x_body = Direction::<Body>::new(1.0, 0.0, 0.0);
 /// let x_space: Direction<Space> = attitude * x_body;
 /// assert!((x_space.x - 0.5_f64.cos()).abs() < 1e-15);
@@ -135,7 +135,7 @@ impl<A, B> Rotation<A, B> {
     /// # Errors
     /// [`RotationError::Axis`] for an axis without direction, [`RotationError::Angle`] for an angle
     /// that is not finite.
-    pub fn about(axis: Direction<A>, angle: f64) -> Result<Self, RotationError> {
+    pub fn from_axis_angle(axis: Direction<A>, angle: f64) -> Result<Self, RotationError> {
         if !angle.is_finite() {
             return Err(RotationError::Angle { angle });
         }
@@ -475,7 +475,7 @@ mod tests {
 
     #[test]
     fn a_quarter_turn_about_z_takes_body_x_to_space_y() {
-        let r: Attitude = Rotation::about(Direction::new(0.0, 0.0, 3.0), PI / 2.0).unwrap();
+        let r: Attitude = Rotation::from_axis_angle(Direction::new(0.0, 0.0, 3.0), PI / 2.0).unwrap();
         assert!((r * Direction::new(1.0, 0.0, 0.0) - Direction::new(0.0, 1.0, 0.0)).norm() < 1e-15);
     }
 
@@ -524,7 +524,7 @@ mod tests {
     fn modified_rodrigues_parameters_are_tangents_of_a_quarter() {
         let axis = Direction::new(0.36, -0.48, 0.8);
         for angle in [1e-8, 0.3, 2.9, -3.1] {
-            let r: Attitude = Rotation::about(axis, angle).unwrap();
+            let r: Attitude = Rotation::from_axis_angle(axis, angle).unwrap();
             let want = (axis * (0.25 * angle).tan()).to_array();
             let mrp = r.mrp();
             assert!((0..3).all(|k| (mrp[k] - want[k]).abs() < 1e-15), "{mrp:?} {want:?}");
@@ -560,8 +560,8 @@ mod tests {
         assert!(matches!(Attitude::from_quaternion([0.0; 4]), Err(RotationError::Quaternion { .. })));
         assert!(Attitude::from_quaternion([f64::NAN, 1.0, 0.0, 0.0]).is_err());
         assert!(Attitude::from_quaternion([f64::INFINITY, 1.0, 0.0, 0.0]).is_err());
-        assert!(Attitude::about(Direction::ZERO, 1.0).is_err());
-        assert!(Attitude::about(Direction::new(1.0, 0.0, 0.0), f64::NAN).is_err());
+        assert!(Attitude::from_axis_angle(Direction::ZERO, 1.0).is_err());
+        assert!(Attitude::from_axis_angle(Direction::new(1.0, 0.0, 0.0), f64::NAN).is_err());
         let mirror = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
         assert!(matches!(Attitude::from_matrix(mirror), Err(RotationError::Matrix { .. })));
         assert!(Attitude::from_matrix([[f64::NAN; 3]; 3]).is_err());

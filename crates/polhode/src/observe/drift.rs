@@ -41,7 +41,7 @@ impl Drift {
 
     /// Computes the drift at each sample of a trajectory, on the scale of all samples;
     /// [`Drift::of`] returns the largest of each value. `None` in the same cases.
-    pub fn along(trajectory: &Trajectory) -> Option<Vec<Self>> {
+    pub fn at_samples(trajectory: &Trajectory) -> Option<Vec<Self>> {
         let scale = Scale::of(trajectory)?;
         Some(trajectory.samples().iter().map(|sample| scale.departure(sample)).collect())
     }

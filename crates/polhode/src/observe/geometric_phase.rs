@@ -38,7 +38,7 @@ use crate::motion::solve::free::{FreeMotion, Regime};
 /// assert!((phase.geometric + std::f64::consts::TAU * (1.0 - 0.3_f64.cos())).abs() < 1e-14);
 /// // one period later the body has turned about L by the total
 /// let axis: Direction<Space> = motion.momentum().direction().ok_or("at rest")?;
-/// let turned = Rotation::<Space, Space>::about(axis, phase.total)?;
+/// let turned = Rotation::<Space, Space>::from_axis_angle(axis, phase.total)?;
 /// let after = motion.at(motion.period().ok_or("no period")?).attitude;
 /// assert!(after.angle_to(turned * start.attitude) < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -86,7 +86,7 @@ pub struct SteadyMode {
 /// let disk = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([0.0025, 0.0025, 0.005])?)?;
 /// let rim = SurfaceShape::Rim { radius: 0.1, tube: 0.0, thickness: 0.0 };
 /// let contact = Contact::rolling(BodySurface::new(rim, Position::ZERO, Rotation::identity())?);
-/// let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), 1.55)?; // nearly upright
+/// let attitude = Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), 1.55)?; // nearly upright
 /// let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.0, 0.0, 6.0) };
 /// let rolls = SteadyOnGround::near(&disk, &contact, &ContactStart::rolling(start))?;
 /// assert!(matches!(rolls.path, SteadyPath::RollingUpright(_)) && rolls.is_stable());

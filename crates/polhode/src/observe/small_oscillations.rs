@@ -39,7 +39,7 @@ use steady::Steady;
 /// let body = Rotor::pivoted(&stick, Position::new(0.0, 0.0, 0.6));
 /// let rest = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
 /// let gravity = [TorqueModel::Gravity(UniformGravity::STANDARD)];
-/// let swings = SmallOscillations::about(&body, &gravity, rest)?;
+/// let swings = SmallOscillations::about_equilibrium(&body, &gravity, rest)?;
 /// let expected = (9.80665 * 0.6 / (0.096 / 0.8 + 0.36_f64)).sqrt(); // √(M g l / I)
 /// assert!(swings.modes.iter().all(|mode| (mode.frequency / expected - 1.0).abs() < 1e-9));
 /// assert_eq!((swings.modes.len(), swings.neutral), (2, 2)); // two ways to swing; turning about the vertical costs nothing
@@ -72,7 +72,11 @@ impl SmallOscillations {
     /// [`MotionError::NoDerivative`] where a torque has a corner or a jump. A parameter error
     /// ([`MotionError::is_parameter`]) for a rod, whose spin about its own line is undetermined.
     /// [`MotionError::NotFinite`] if a torque near the state is not finite.
-    pub fn about(rotor: &Rotor, torques: &[TorqueModel], equilibrium: State) -> Result<Self, MotionError> {
+    pub fn about_equilibrium(
+        rotor: &Rotor,
+        torques: &[TorqueModel],
+        equilibrium: State,
+    ) -> Result<Self, MotionError> {
         Self::of(&Steady::new(rotor, torques, equilibrium)?)
     }
 
@@ -80,7 +84,7 @@ impl SmallOscillations {
     /// one if the state is close to it. It may be unstable, like an inverted pendulum.
     ///
     /// # Errors
-    /// The errors of [`SmallOscillations::about`], if no equilibrium is found.
+    /// The errors of [`SmallOscillations::about_equilibrium`], if no equilibrium is found.
     pub fn equilibrium_near(
         rotor: &Rotor,
         torques: &[TorqueModel],

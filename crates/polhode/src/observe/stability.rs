@@ -68,11 +68,11 @@ impl Stability {
 /// use polhode::observe::{PermanentRotation, Stability};
 /// let inertia = InertiaTensor::diagonal([1.0, 2.0, 3.0])?;
 /// let body = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia)?);
-/// let spin = PermanentRotation::about(&body, AngularVelocity::new(0.0, 5.0, 0.0))?;
+/// let spin = PermanentRotation::of(&body, AngularVelocity::new(0.0, 5.0, 0.0))?;
 /// assert!(matches!(spin.stability, Stability::Unstable { growth_rate, .. } if (growth_rate - 5.0 / 3f64.sqrt()).abs() < 1e-14));
 /// // A wheel with enough momentum along the intermediate axis makes the same spin stable.
 /// let wheel = Wheel::new(Direction::new(0.0, 1.0, 0.0), 5.5, Motor::HeldSpeed)?;
-/// let spin = PermanentRotation::about(&body.with_wheels(&[wheel])?, AngularVelocity::new(0.0, 5.0, 0.0))?;
+/// let spin = PermanentRotation::of(&body.with_wheels(&[wheel])?, AngularVelocity::new(0.0, 5.0, 0.0))?;
 /// assert!(matches!(spin.stability, Stability::Stable { .. }));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -105,7 +105,7 @@ impl PermanentRotation {
     /// [`MotionError::NotSteady`] if ω is not parallel to L to 1e-9, or if a motor accelerates a
     /// wheel; a parameter error ([`MotionError::is_parameter`]) for a rod, whose spin about its own
     /// line is undetermined, and for an ω that is not finite.
-    pub fn about(rotor: &Rotor, omega: AngularVelocity<Body>) -> Result<Self, MotionError> {
+    pub fn of(rotor: &Rotor, omega: AngularVelocity<Body>) -> Result<Self, MotionError> {
         let wheels = held_wheels(rotor, 0.0)?;
         require::finite("the spin", omega.max_abs())?;
         let momentum = rotor.angular_momentum(omega) + rotor.wheel_momentum(0.0);
@@ -113,7 +113,7 @@ impl PermanentRotation {
         if torque > STEADY * scale {
             return Err(MotionError::NotSteady { torque, scale });
         }
-        Ok(Self::of(rotor, wheels, rotor.principal().rotation().inverse() * omega))
+        Ok(Self::of_principal(rotor, wheels, rotor.principal().rotation().inverse() * omega))
     }
 
     /// Finds all permanent rotations with the angular momentum |L|, kg·m²/s: two to six, the one of
@@ -125,7 +125,7 @@ impl PermanentRotation {
     /// component along axis k.
     ///
     /// # Errors
-    /// The errors of [`PermanentRotation::about`].
+    /// The errors of [`PermanentRotation::of`].
     pub fn all(rotor: &Rotor, momentum: f64) -> Result<Vec<Self>, MotionError> {
         Self::all_at(rotor, momentum, 0.0)
     }
@@ -133,13 +133,13 @@ impl PermanentRotation {
     /// Finds the same rotations with the wheels as at a given time, s.
     ///
     /// # Errors
-    /// The errors of [`PermanentRotation::about`].
+    /// The errors of [`PermanentRotation::of`].
     pub fn all_at(rotor: &Rotor, momentum: f64, time: f64) -> Result<Vec<Self>, MotionError> {
         let wheels = held_wheels(rotor, time)?;
         require::not_negative("the angular momentum", momentum)?;
         let moments = rotor.principal().moments();
         let spins = momentum_sphere::extrema(moments, wheels.to_array(), momentum);
-        let mut all: Vec<Self> = spins.into_iter().map(|w| Self::of(rotor, wheels, w)).collect();
+        let mut all: Vec<Self> = spins.into_iter().map(|w| Self::of_principal(rotor, wheels, w)).collect();
         all.sort_by(|a, b| rotor.kinetic_energy(a.omega).total_cmp(&rotor.kinetic_energy(b.omega)));
         Ok(all)
     }
@@ -172,7 +172,7 @@ impl PermanentRotation {
         [Some(0.0), last].into_iter().flatten().filter(|&time| is_still(time)).collect()
     }
 
-    fn of(rotor: &Rotor, wheels: AngularMomentum<Principal>, omega: AngularVelocity<Principal>) -> Self {
+    fn of_principal(rotor: &Rotor, wheels: AngularMomentum<Principal>, omega: AngularVelocity<Principal>) -> Self {
         let (moments, w, h) = (rotor.principal().moments(), omega.to_array(), wheels.to_array());
         let (mut c, mut scale) = (0.0, 0.0);
         let (mut bend, mut bend_scale) = (0.0, 0.0);

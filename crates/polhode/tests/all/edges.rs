@@ -95,7 +95,7 @@ fn the_cones_have_the_angles_between_the_vectors() {
         );
         // L, ω and e are coplanar, but not for a state of another motion
         assert!(Cones::coplanarity(&top, &FreeMotion::of(&rotor, start).unwrap().at(3.0)) < 1e-15);
-        let r = Rotation::<Space, Space>::about(Direction::new(0.3, -2.0, 0.9), 0.8).unwrap();
+        let r = Rotation::<Space, Space>::from_axis_angle(Direction::new(0.3, -2.0, 0.9), 0.8).unwrap();
         let wrong = State { attitude: r * start.attitude, ..start };
         let [e, w, l] = [
             (wrong.attitude * top.axis()).to_array(),
@@ -374,8 +374,11 @@ fn rounding_does_not_choose_between_tied_components() {
         let n =
             Direction::<Part>::new(n[0] + noise(0), n[1] + noise(1), n[2] + noise(2)).direction().unwrap();
         let about = n.cross(Direction::new(0.0, 0.0, 1.0));
-        let r =
-            Rotation::<Part, Part>::about(-about, n.angle_to(Direction::<Part>::new(0.0, 0.0, 1.0))).unwrap();
+        let r = Rotation::<Part, Part>::from_axis_angle(
+            -about,
+            n.angle_to(Direction::<Part>::new(0.0, 0.0, 1.0)),
+        )
+        .unwrap();
         let body = InertiaTensor::<Part>::diagonal([1.3, 1.3, 2.1]).unwrap().in_frame(r);
         let p = PrincipalFrame::of(&body);
         assert_eq!(p.symmetry(), Symmetry::Oblate);
@@ -397,7 +400,7 @@ fn free_axes_are_the_nearest_to_the_bodys_own() {
     for n in [[0.2, 0.3, 0.93], [0.25, 0.9, -0.2], [-0.2, -0.8, 0.3], [0.9, 0.2, 0.3], [-0.8, 0.1, -0.3]] {
         let n = Direction::<Body>::from_array(n).direction().unwrap();
         let z = Direction::new(0.0, 0.0, 1.0);
-        let r = Rotation::<Body, Body>::about(z.cross(n), z.angle_to(n)).unwrap();
+        let r = Rotation::<Body, Body>::from_axis_angle(z.cross(n), z.angle_to(n)).unwrap();
         let tensor = |moments| InertiaTensor::<Body>::diagonal(moments).unwrap().in_frame(r);
         let flat = PrincipalFrame::of(&tensor([1.3, 1.3, 2.1]));
         let long = PrincipalFrame::of(&tensor([2.1, 2.1, 1.3]));
@@ -460,7 +463,7 @@ fn dumbbells_hang_and_swing_in_any_direction() {
         // T = 2π √(i/Mgd) with i = Σ m x², Md = Σ m x
         let period = TAU * ((0.8 * 0.16 + 1.3 * 1.21) / (9.81 * (0.8 * 0.4 + 1.3 * 1.1_f64))).sqrt();
         for angle in [0.0, 1e-6, 0.3] {
-            let attitude = Rotation::about(Direction::from_array(axis.to_array()), angle).unwrap();
+            let attitude = Rotation::from_axis_angle(Direction::from_array(axis.to_array()), angle).unwrap();
             let start = State { time: 0.0, attitude, omega: AngularVelocity::ZERO };
             let times: Vec<f64> = (0..=32).map(|k| 0.25 * period * f64::from(k)).collect();
             let motion = Trajectory::compute(&rotor, &weight, start, &times, Method::Auto, 1e-13).unwrap();
@@ -469,7 +472,8 @@ fn dumbbells_hang_and_swing_in_any_direction() {
                 assert!(spin < 1e-15, "{line:?} {angle}: spin {spin:e}");
                 if angle < 0.1 && k % 2 == 0 {
                     let side = if k % 4 == 0 { angle } else { -angle };
-                    let want = Rotation::about(Direction::from_array(axis.to_array()), side).unwrap();
+                    let want =
+                        Rotation::from_axis_angle(Direction::from_array(axis.to_array()), side).unwrap();
                     let off = sample.state.attitude.angle_to(want);
                     assert!(off < 1e-13, "{line:?} {angle} sample {k}: {off:e}");
                 }
@@ -507,7 +511,7 @@ fn numbers_that_are_not_are_refused() {
         assert!(InertiaTensor::<Body>::diagonal([1.0, value, 1.0]).is_err());
         assert!(InertiaTensor::<Body>::with_positive_products([1.0; 3], [0.0, 0.0, value]).is_err());
         assert!(Attitude::from_euler313([0.1, value, 0.2]).is_err());
-        assert!(Attitude::about(Direction::new(0.0, value, 0.0), 1.0).is_err());
+        assert!(Attitude::from_axis_angle(Direction::new(0.0, value, 0.0), 1.0).is_err());
         let axis = Direction::new(0.0, 0.0, 1.0);
         assert!(Prescribed::fixed_axis(Attitude::identity(), axis, value, 0.0).is_err());
         assert!(Prescribed::fixed_axis(Attitude::identity(), axis, 0.0, value).is_err());

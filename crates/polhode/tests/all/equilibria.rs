@@ -8,7 +8,7 @@ use polhode::observe::{
 use polhode::prelude::*;
 
 fn turned() -> Rotation<Body, Body> {
-    Rotation::about(Direction::new(0.3, -0.8, 0.5), 1.1).unwrap()
+    Rotation::from_axis_angle(Direction::new(0.3, -0.8, 0.5), 1.1).unwrap()
 }
 
 fn free(moments: [f64; 3]) -> Rotor {
@@ -53,7 +53,7 @@ fn all_attitudes_at_rest_on_an_orbit_are_found() {
             assert!(e.up.angle_to(e.state.attitude.inverse() * orbit.position(40.0)) < 1e-14);
             let [up, ahead, across] = e.axes.map(|(k, _)| k);
             assert!(up != ahead && ahead != across && up != across && e.tilt < 1e-7, "{e:?}");
-            let found = SmallOscillations::about(&rotor, &gravity, e.state).unwrap();
+            let found = SmallOscillations::about_equilibrium(&rotor, &gravity, e.state).unwrap();
             let expected = Libration::of([ahead, across, up].map(|k| moments[k]), n).unwrap();
             assert_eq!(found.is_stable(), expected.is_stable(), "{e:?}");
             let has = |f: f64| found.modes.iter().any(|m| (m.frequency / f - 1.0).abs() < 1e-8);
@@ -108,8 +108,9 @@ fn leaning(angle: f64) -> Attitude {
     let up: Direction<Space> = -gravity().acceleration.direction().unwrap();
     let across = up.cross(Direction::new(0.2, 0.9, -0.3)).direction().unwrap();
     let e = generic_attitude() * (turned() * Direction::new(0.0, 0.0, 1.0));
-    let upright = Rotation::<Space, Space>::about(e.cross(up), e.angle_to(up)).unwrap() * generic_attitude();
-    Rotation::<Space, Space>::about(across, angle).unwrap() * upright
+    let upright =
+        Rotation::<Space, Space>::from_axis_angle(e.cross(up), e.angle_to(up)).unwrap() * generic_attitude();
+    Rotation::<Space, Space>::from_axis_angle(across, angle).unwrap() * upright
 }
 
 #[test]
@@ -188,7 +189,8 @@ fn friction_ends_every_spin_but_those_of_least_energy() {
         for one in &all {
             assert_eq!(one.is_ended_by_friction(), one.with_friction(&sink).name() == "leaves");
             let state = at(generic_attitude(), one.omega);
-            let six = SmallOscillations::about(&rotor, &[TorqueModel::EnergySink(sink)], state).unwrap();
+            let six = SmallOscillations::about_equilibrium(&rotor, &[TorqueModel::EnergySink(sink)], state)
+                .unwrap();
             // Excludes the roots that only turn the axis in space and are conserved.
             let rates = six.modes.iter().map(|mode| mode.growth_rate).filter(|rate| *rate != 0.0);
             let fastest = rates.fold(f64::NEG_INFINITY, f64::max);
@@ -205,7 +207,7 @@ fn friction_ends_every_spin_but_those_of_least_energy() {
     for k in [1, 2] {
         let omega = AngularVelocity::from_array((flat.principal().axis(k) * 0.4).to_array());
         let DissipativeLimit::Settles { rate, .. } =
-            PermanentRotation::about(&flat, omega).unwrap().with_friction(&sink)
+            PermanentRotation::of(&flat, omega).unwrap().with_friction(&sink)
         else {
             panic!("{k}")
         };
@@ -244,7 +246,7 @@ fn modes_of_one_frequency_are_a_basis() {
     // Hanging from a point with two equal moments, it swings about any horizontal axis.
     let (rotor, gravity) = (top(), [TorqueModel::Gravity(gravity())]);
     let down = at(leaning(std::f64::consts::PI), AngularVelocity::ZERO);
-    let swings = SmallOscillations::about(&rotor, &gravity, down).unwrap();
+    let swings = SmallOscillations::about_equilibrium(&rotor, &gravity, down).unwrap();
     let [a, b] = swings.modes.as_slice() else { panic!("{swings:?}") };
     assert_eq!((a.multiplicity, b.multiplicity), (2, 2));
     let e = turned() * Direction::<Body>::new(0.0, 0.0, 1.0);
@@ -253,17 +255,25 @@ fn modes_of_one_frequency_are_a_basis() {
     }
     assert_eq!((a.minor_axis, b.minor_axis), (Direction::ZERO, Direction::ZERO));
     // Upside down it falls about any of them and swings back up.
-    let over = SmallOscillations::about(&rotor, &gravity, at(leaning(0.0), AngularVelocity::ZERO)).unwrap();
+    let over =
+        SmallOscillations::about_equilibrium(&rotor, &gravity, at(leaning(0.0), AngularVelocity::ZERO))
+            .unwrap();
     assert!(
         over.modes.len() == 4 && over.modes.iter().all(|m| m.multiplicity == 2 && m.axis.dot(e).abs() < 1e-9)
     );
     // A spring that resists every rotation equally, on a spherical body.
     let rest = generic_attitude();
     let spring = [TorqueModel::Torsion(Torsion::spring(0.7, rest).unwrap())];
-    let ball = SmallOscillations::about(&free([2.1; 3]), &spring, at(rest, AngularVelocity::ZERO)).unwrap();
+    let ball =
+        SmallOscillations::about_equilibrium(&free([2.1; 3]), &spring, at(rest, AngularVelocity::ZERO))
+            .unwrap();
     assert!(ball.modes.len() == 3 && ball.modes.iter().all(|m| m.multiplicity == 3));
     // Three different moments: three separate modes.
-    let one =
-        SmallOscillations::about(&free([1.3, 2.9, 3.7]), &spring, at(rest, AngularVelocity::ZERO)).unwrap();
+    let one = SmallOscillations::about_equilibrium(
+        &free([1.3, 2.9, 3.7]),
+        &spring,
+        at(rest, AngularVelocity::ZERO),
+    )
+    .unwrap();
     assert!(one.modes.len() == 3 && one.modes.iter().all(|m| m.multiplicity == 1));
 }

@@ -149,7 +149,7 @@ fn a_pendulum_is_upright_at_quarters_of_its_period() {
     let amplitude: f64 = 1.9;
     let gravity = Acceleration::new(0.0, 0.0, -9.80665);
     let period = Pendulum::hung(&rotor, axis, gravity).unwrap().period(amplitude);
-    let attitude = Attitude::about(Direction::from_array(axis.to_array()), amplitude).unwrap();
+    let attitude = Attitude::from_axis_angle(Direction::from_array(axis.to_array()), amplitude).unwrap();
     // The y axis of the rod is level when the rod hangs straight down: its angle to the vertical
     // passes 90°.
     let level =

@@ -32,7 +32,7 @@ fn within(torque: TorqueModel, from: f64, to: f64) -> TorqueModel {
 
 /// Returns a body of moments (2, 3.5, 5) that turns about z.
 fn turning(start: f64, angle: f64, omega: f64) -> (Rotor, State) {
-    let attitude = Attitude::about(Direction::new(0.0, 0.0, 1.0), angle).unwrap();
+    let attitude = Attitude::from_axis_angle(Direction::new(0.0, 0.0, 1.0), angle).unwrap();
     (
         free_body([2.0, 3.5, 5.0]),
         State { time: start, attitude, omega: AngularVelocity::new(0.0, 0.0, omega) },
@@ -344,7 +344,10 @@ fn a_motion_that_continues_another_loses_no_event_and_counts_none_twice() {
     .unwrap();
     let whole = |events: Vec<Event>, times: Vec<f64>, method| {
         Scenario::new(body)
-            .under([drag(0.3), TorqueModel::Constant(ConstantTorque::Space(Torque::new(0.7, -1.1, 0.4)))])
+            .with_torques([
+                drag(0.3),
+                TorqueModel::Constant(ConstantTorque::Space(Torque::new(0.7, -1.1, 0.4))),
+            ])
             .unwrap()
             .starting(State {
                 time: 0.0,
@@ -372,7 +375,8 @@ fn a_motion_that_continues_another_loses_no_event_and_counts_none_twice() {
         for split in splits.flat_map(|t| [t, t - 4e-16 * t, t + 4e-16 * t]) {
             let scenario = whole(watched(EventAction::Record), vec![0.0, split], method);
             let first = scenario.simulate().unwrap().unwrap();
-            let second = scenario.after(&first, vec![split, 12.0]).unwrap().simulate().unwrap().unwrap();
+            let second =
+                scenario.continued_after(&first, vec![split, 12.0]).unwrap().simulate().unwrap().unwrap();
             let mut found = happened(&first);
             found.extend(second.events().iter().map(|it| (it.event, it.state.time, it.rising)));
             assert_eq!(found.len(), wanted.len(), "{method:?} {split}: {found:?} {wanted:?}");
@@ -387,7 +391,8 @@ fn a_motion_that_continues_another_loses_no_event_and_counts_none_twice() {
         loop {
             found.extend(motion.events().iter().map(|it| (it.event, it.state.time, it.rising)));
             let Ending::Stopped { time, .. } = *motion.ending() else { break };
-            motion = stopping.after(&motion, vec![time, 12.0]).unwrap().simulate().unwrap().unwrap();
+            motion =
+                stopping.continued_after(&motion, vec![time, 12.0]).unwrap().simulate().unwrap().unwrap();
         }
         assert_eq!(found.len(), wanted.len(), "{method:?}: {found:?} {wanted:?}");
         for (a, b) in found.iter().zip(&wanted) {

@@ -260,7 +260,7 @@ fn vertical_tops_sleep_hang_and_fall() {
         assert_eq!(motion.path(), path);
         let state = motion.at(2.5);
         let turned = start.attitude
-            * Rotation::<Body, Body>::about(Direction::new(0.0, 0.0, 1.0), 2.5 * spin).unwrap();
+            * Rotation::<Body, Body>::from_axis_angle(Direction::new(0.0, 0.0, 1.0), 2.5 * spin).unwrap();
         assert!(state.attitude.angle_to(turned) < 1e-14 && state.omega == start.omega);
     }
     // Just below the sleeping-top threshold, a perturbed top nutates slightly; far below it falls.

@@ -101,7 +101,7 @@ fn a_quaternion_of_any_length_is_the_attitude() {
         component(y),
         component(z),
     ]);
-    let start: Attitude = Rotation::about(Direction::new(x, y, z), 0.4).unwrap();
+    let start: Attitude = Rotation::from_axis_angle(Direction::new(x, y, z), 0.4).unwrap();
     let turn = Prescribed::fixed_axis(start, Direction::new(x, y, z), 0.9, 0.0).unwrap();
     for time in [0.0, 1.3, 5.0] {
         let ((a, rate), (b, zero)) = (motion.at(time).unwrap(), turn.at(time).unwrap());
@@ -208,8 +208,8 @@ fn the_torque_comes_back_from_a_table_of_attitudes() {
     assert!(finer < 1e-5 && !said.is_noisy, "{finer:e} {said:?}");
     consistent(&tabled(80).0, 1.234, 1e-8);
     // Work and impulse are those of the simulated motion.
-    let needed = Required::by(&rotor, &tabled(160).0, 4.0).unwrap();
-    let first = Required::by(&rotor, &tabled(160).0, 0.0).unwrap();
+    let needed = Required::of_motion(&rotor, &tabled(160).0, 4.0).unwrap();
+    let first = Required::of_motion(&rotor, &tabled(160).0, 0.0).unwrap();
     let last = truth.samples().last().unwrap();
     assert!((needed.work_since(&first) - last.work).abs() < 1e-6);
     assert!((needed.impulse_since(&first) - last.impulse).norm() < 1e-6);
@@ -241,7 +241,8 @@ fn a_table_says_when_it_is_noisy_or_coarse() {
     let rows = |times: &[f64], noise: f64| -> Vec<Attitude> {
         let shaken = |(k, time): (usize, &f64)| {
             let angle = noise * (7.3 * (k * k) as f64).sin();
-            let shake: Rotation<Body, Body> = Rotation::about(Direction::new(1.0, 2.0, -2.0), angle).unwrap();
+            let shake: Rotation<Body, Body> =
+                Rotation::from_axis_angle(Direction::new(1.0, 2.0, -2.0), angle).unwrap();
             known.at(*time).unwrap().0.attitude * shake
         };
         times.iter().enumerate().map(shaken).collect()
@@ -262,7 +263,7 @@ fn a_table_says_when_it_is_noisy_or_coarse() {
     parameter(&evenly(12), &attitudes);
     parameter(&[0.0, 1.0, 1.0, 2.0], &attitudes[..4]);
     parameter(&[0.0, 1.0, f64::NAN, 2.0], &attitudes[..4]);
-    let far = Attitude::about(Direction::new(1.0, 0.0, 0.0), 1.7).unwrap();
+    let far = Attitude::from_axis_angle(Direction::new(1.0, 0.0, 0.0), 1.7).unwrap();
     parameter(&[0.0, 1.0, 2.0, 3.0], &[Attitude::identity(), far, Attitude::identity(), far]);
 }
 
@@ -274,7 +275,7 @@ fn the_forces_on_given_points_make_the_torque_at_any_time() {
     let body = mass_properties_of_particles(&masses).unwrap();
     let rotor = Rotor::pivoted(&body, Position::new(0.3, 0.1, -0.2));
     for time in [0.0, 0.9, 2.2] {
-        let needed = Required::by(&rotor, &swaying(), time).unwrap();
+        let needed = Required::of_motion(&rotor, &swaying(), time).unwrap();
         let forces = masses.map(|mass| needed.force_on(&mass, &rotor));
         let sum = forces.iter().fold(Torque::ZERO, |sum, force| sum + force.torque);
         assert!((sum - needed.torque).norm() < 1e-13 * needed.torque.norm());
@@ -290,18 +291,18 @@ fn wheels_count_in_the_torque_that_a_motion_needs() {
     let rotor = rotor().with_wheels(&[held, free]).unwrap();
     let motion = swaying();
     let (time, h) = (0.7, 1e-3);
-    let l = |k: f64| Required::by(&rotor, &motion, time + k * h).unwrap().momentum;
+    let l = |k: f64| Required::of_motion(&rotor, &motion, time + k * h).unwrap().momentum;
     let rate = ((l(1.0) - l(-1.0)) * 8.0 - (l(2.0) - l(-2.0))) / (12.0 * h);
-    let needed = Required::by(&rotor, &motion, time).unwrap();
+    let needed = Required::of_motion(&rotor, &motion, time).unwrap();
     let error = (needed.torque_space() - Torque::from_array(rate.to_array())).norm();
     assert!(error < 1e-9 * needed.torque.norm(), "{error:e}");
     // The torque changes the carrier's energy only.
-    let energy = |k: f64| Required::by(&rotor, &motion, time + k * h).unwrap().kinetic_energy;
+    let energy = |k: f64| Required::of_motion(&rotor, &motion, time + k * h).unwrap().kinetic_energy;
     let power = ((energy(1.0) - energy(-1.0)) * 8.0 - (energy(2.0) - energy(-2.0))) / (12.0 * h);
     assert!((power / needed.power - 1.0).abs() < 1e-8, "{power} {}", needed.power);
     // A motor does work of its own.
     let driven = Motor::Torque { inertia: 0.2, torque: 0.4, schedule: None };
     let driven = Wheel::new(Direction::new(-0.5, 0.8, 0.1), -2.1, driven).unwrap();
     let rotor = rotor.with_wheels(&[driven]).unwrap();
-    assert!(matches!(Required::by(&rotor, &motion, time), Err(ref error) if error.is_parameter()));
+    assert!(matches!(Required::of_motion(&rotor, &motion, time), Err(ref error) if error.is_parameter()));
 }

@@ -24,7 +24,7 @@ fn expected(torque: &TorqueModel, rotor: &Rotor, state: &State) -> [[Torque<Body
     let turned = |axis: Direction<Body>| {
         difference(
             |h| {
-                let attitude = state.attitude * Rotation::<Body, Body>::about(axis, h).unwrap();
+                let attitude = state.attitude * Rotation::<Body, Body>::from_axis_angle(axis, h).unwrap();
                 torque.torque(rotor, &State { attitude, ..*state })
             },
             4e-3,
@@ -131,7 +131,7 @@ fn corners_are_refused() {
     let nutation = along_x(vec![variable("theta"), Instruction::Unary(Unary::Sin)]);
     let size = along_x(vec![variable("wx"), Instruction::Unary(Unary::Abs)]);
     for torque in [TorqueModel::own("tug", Tug(1.0)), dry, nutation, size] {
-        let refused = SmallOscillations::about(&rotor, core::slice::from_ref(&torque), rest);
+        let refused = SmallOscillations::about_equilibrium(&rotor, core::slice::from_ref(&torque), rest);
         assert!(matches!(refused, Err(MotionError::NoDerivative { .. })), "{torque:?} {refused:?}");
     }
     // |ω| ω and similar functions have the derivative zero at rest.
@@ -163,7 +163,8 @@ fn modes_have_the_digits_of_their_derivatives() {
     let rotor = Rotor::pivoted(&stick, Position::new(0.0, 0.0, 0.6));
     let rest = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
     let swings =
-        SmallOscillations::about(&rotor, &[TorqueModel::Gravity(UniformGravity::STANDARD)], rest).unwrap();
+        SmallOscillations::about_equilibrium(&rotor, &[TorqueModel::Gravity(UniformGravity::STANDARD)], rest)
+            .unwrap();
     for (mode, moment) in swings.modes.iter().zip([0.099, 0.096]) {
         let exact = (9.80665 * 0.6 / (moment / 0.8 + 0.36_f64)).sqrt();
         assert!((mode.frequency / exact - 1.0).abs() < 1e-14, "{} {exact}", mode.frequency);

@@ -33,7 +33,7 @@ fn turned(states: &[State], theta: impl Fn(&State) -> [f64; 3]) -> Vec<[f64; 4]>
         if angle == 0.0 {
             return state.attitude.quaternion();
         }
-        (state.attitude * Rotation::<Body, Body>::about(theta, angle).unwrap()).quaternion()
+        (state.attitude * Rotation::<Body, Body>::from_axis_angle(theta, angle).unwrap()).quaternion()
     };
     states.iter().map(turn).collect()
 }
@@ -163,7 +163,7 @@ fn what_the_numbers_do_not_tell_is_asked() {
     let mut leapt = vec![attitude.quaternion()];
     for state in &states[1..] {
         let omega = Direction::<Space>::from_array(state.omega.to_array());
-        attitude = Rotation::<Space, Space>::about(omega, 0.02 * omega.norm()).unwrap() * attitude;
+        attitude = Rotation::<Space, Space>::from_axis_angle(omega, 0.02 * omega.norm()).unwrap() * attitude;
         leapt.push(attitude.quaternion());
     }
     let last = |[w, x, y, z]: [f64; 4]| [x, y, z, w];
@@ -274,7 +274,7 @@ fn an_error_is_split_into_its_parts() {
 fn a_wrong_start_is_taken_out() {
     let scenario = free();
     let states = exact(&scenario, &times(0.4, 0.02, 500));
-    let off = Rotation::<Space, Space>::about(Direction::new(0.3, -0.4, 0.5), 0.9).unwrap();
+    let off = Rotation::<Space, Space>::from_axis_angle(Direction::new(0.3, -0.4, 0.5), 0.9).unwrap();
     let wrong: Vec<[f64; 4]> = states.iter().map(|s| (off * s.attitude).quaternion()).collect();
     let log = MotionLog::new(states.iter().map(|s| s.time).collect(), wrong).unwrap();
     let judgement = Judgement::of(&scenario, &log, &DeclaredReading::default()).unwrap();
@@ -381,7 +381,7 @@ fn principal_solve(scenario: &Scenario, v: [f64; 3]) -> [f64; 3] {
 #[test]
 fn what_is_exact_is_not_blamed() {
     let gravity = UniformGravity::STANDARD;
-    let top = free().held_at(Position::ZERO).unwrap().under([TorqueModel::Gravity(gravity)]).unwrap();
+    let top = free().held_at(Position::ZERO).unwrap().with_torques([TorqueModel::Gravity(gravity)]).unwrap();
     let at = times(0.4, 0.01, 800);
     for scenario in [free(), top] {
         let states = exact(&scenario, &at);

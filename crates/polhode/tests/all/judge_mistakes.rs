@@ -38,7 +38,7 @@ fn a_wrong_law_is_never_called_right() {
         let rate = [1.0, 0.0, -1.0][seed as usize % 3] * start.omega.norm();
         let axis = Direction::<Body>::from_array(start.omega.to_array());
         let turned = |time: &f64| {
-            let turn = Rotation::<Body, Body>::about(axis, rate * (time - start.time)).unwrap();
+            let turn = Rotation::<Body, Body>::from_axis_angle(axis, rate * (time - start.time)).unwrap();
             (start.attitude * turn).quaternion()
         };
         let log = MotionLog::new(times.clone(), times.iter().map(turned).collect()).unwrap();

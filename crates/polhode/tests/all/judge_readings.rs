@@ -54,7 +54,7 @@ pub(crate) fn scenario(draws: &mut Draws) -> Scenario {
     let scenario = Scenario::new(body).starting(State { time, attitude, omega }).unwrap();
     if draws.next() < 0.3 {
         let torque = Torque::<Body>::from_array([0; 3].map(|_| draws.within(-0.5, 0.5)));
-        return scenario.under([TorqueModel::Constant(ConstantTorque::Body(torque))]).unwrap();
+        return scenario.with_torques([TorqueModel::Constant(ConstantTorque::Body(torque))]).unwrap();
     }
     scenario
 }
@@ -271,7 +271,7 @@ fn torqued(events: Vec<Event>) -> (Scenario, Vec<State>) {
     let attitude = Attitude::from_quaternion([0.7, -0.3, 0.5, 0.4]).unwrap();
     let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.1, 0.2, -0.1) };
     let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.3, -0.1, 0.2)));
-    let scenario = Scenario::new(body).starting(start).unwrap().under([torque]).unwrap();
+    let scenario = Scenario::new(body).starting(start).unwrap().with_torques([torque]).unwrap();
     let scenario = scenario.watching(events).unwrap();
     let times: Vec<f64> = (0..201).map(|k| 0.05 * f64::from(k)).collect();
     let states = Reference::of(&scenario, &times).unwrap().states().to_vec();

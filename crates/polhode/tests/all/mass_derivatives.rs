@@ -142,7 +142,7 @@ fn a_gradient_is_of_all_vertices_at_once() {
     };
     let gradient = derivatives.gradient(&of_number);
     for (by, all) in gradient.as_flattened().iter().zip(derivatives.by_vertices().as_flattened()) {
-        assert!((by - of_number.along(all)).abs() < 1e-14);
+        assert!((by - of_number.derivative_along(all)).abs() < 1e-14);
     }
 }
 
@@ -319,10 +319,10 @@ fn a_free_motion_by_parts_and_vertices() {
     let extent = Built::shapes()[0].spread().extent();
     let by_density = difference(1e-2, |h| motion(h, &|built, h| built.densities[0] += h));
     let column = derivatives.parts[0].by_density(extent);
-    assert_same_change(gradients.map(|row| row.along(&column)), by_density, "density");
+    assert_same_change(gradients.map(|row| row.derivative_along(&column)), by_density, "density");
     let by_position = difference(1e-2, |h| motion(h, &|built, h| built.positions[1][2] += h));
     let column = derivatives.parts[1].by_position()[2];
-    assert_same_change(gradients.map(|row| row.along(&column)), by_position, "position");
+    assert_same_change(gradients.map(|row| row.derivative_along(&column)), by_position, "position");
 
     // The mesh among the parts, by one of its vertices.
     let solid = ClosedMesh::of(&lump([0.25, 0.5, -0.125])).unwrap();
@@ -369,7 +369,7 @@ fn a_top_by_the_mass_of_a_part() {
     let by: [f64; 6] = std::array::from_fn(|row| {
         let of_weight =
             (0..3).map(|k| by_parameters[k][row] * heavier[k] + by_parameters[3 + k][row] * lever[k]);
-        gradients[row].along(&change) + of_weight.sum::<f64>()
+        gradients[row].derivative_along(&change) + of_weight.sum::<f64>()
     });
     let differences = difference(5e-3, |h| {
         let mut built = built.clone();

@@ -196,7 +196,7 @@ fn every_thin_surface_is_the_limit_of_its_sheets() {
 fn a_thick_sheet_is_a_brick_wherever_it_lies() {
     let (size, thickness) = ([1.7, 0.9], 0.3);
     let brick = BoxShape::new([size[0], size[1], thickness]).unwrap();
-    let turn = Rotation::about(Direction::new(0.3, -0.5, 0.8), 1.1).unwrap();
+    let turn = Rotation::from_axis_angle(Direction::new(0.3, -0.5, 0.8), 1.1).unwrap();
     let offset = Position::new(1e3, -2e3, 5e2);
     let place = |x: f64, y: f64| {
         (turn * Position::new(0.5 * size[0] * x, 0.5 * size[1] * y, 0.0) + offset).to_array()
@@ -231,7 +231,7 @@ fn an_assembly_is_the_union_of_its_placed_meshes() {
         for (k, (_, triangles)) in solids(&mut random).into_iter().enumerate() {
             let triangles = triangles(24);
             let axis = Direction::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0), 0.4);
-            let turn = Rotation::about(axis, random.between(-3.0, 3.0)).unwrap();
+            let turn = Rotation::from_axis_angle(axis, random.between(-3.0, 3.0)).unwrap();
             // apart from each other: nothing is wider than 12
             let place = Position::new(13.0 * k as f64, random.between(-9.0, 9.0), random.between(-9.0, 9.0));
             let part = ClosedMesh::from_triangles(triangles.clone()).unwrap();

@@ -109,7 +109,7 @@ impl Case {
             false => scenario,
         };
         let scenario = scenario.with_wheels(numbers.rotor().wheels()).unwrap();
-        let scenario = scenario.under(numbers.torques()).unwrap().starting(numbers.start()).unwrap();
+        let scenario = scenario.with_torques(numbers.torques()).unwrap().starting(numbers.start()).unwrap();
         let scenario = scenario.watching(self.events()).unwrap().sampled(sampled(&times[..2]));
         let run = |scenario: &Scenario| {
             let effort = ErrorEffort::Auto;
@@ -120,7 +120,7 @@ impl Case {
         if !first.ending().is_complete() {
             return whole;
         }
-        let rest = run(&scenario.after(&first, times[2..].to_vec()).unwrap());
+        let rest = run(&scenario.continued_after(&first, times[2..].to_vec()).unwrap());
         whole.states.extend(rest.states);
         whole.errors.extend(rest.errors);
         whole.events.extend(rest.events);

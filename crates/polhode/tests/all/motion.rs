@@ -192,8 +192,11 @@ fn a_rod_swings_but_takes_no_torque_along_itself() {
     let gravity = [TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(g, 0.0, 0.0) })];
     let amplitude = 40_f64.to_radians();
     let z = Direction::new(0.0, 0.0, 1.0);
-    let start =
-        State { time: 0.0, attitude: Rotation::about(z, amplitude).unwrap(), omega: AngularVelocity::ZERO };
+    let start = State {
+        time: 0.0,
+        attitude: Rotation::from_axis_angle(z, amplitude).unwrap(),
+        omega: AngularVelocity::ZERO,
+    };
     let pendulum = Pendulum::hung(
         &rotor,
         Direction::new(0.0, 0.0, 1.0),
@@ -210,7 +213,7 @@ fn a_rod_swings_but_takes_no_torque_along_itself() {
     let back = motion.samples()[1].state;
     assert!(back.attitude.angle_to(start.attitude) < 1e-13 && back.omega.norm() < 1e-12);
     let side = motion.samples()[0].state;
-    assert!(side.attitude.angle_to(Rotation::about(z, -amplitude).unwrap()) < 1e-13);
+    assert!(side.attitude.angle_to(Rotation::from_axis_angle(z, -amplitude).unwrap()) < 1e-13);
     assert!(motion.samples()[2].state.attitude.angle_to(start.attitude) < 1e-12);
 
     let along = [TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.1, 0.2, 0.0)))];

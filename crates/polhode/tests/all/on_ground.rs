@@ -38,8 +38,8 @@ fn body(mass: f64, moments: [f64; 3]) -> MassProperties<Body> {
 /// Returns an attitude with the z axis at an angle from the vertical, also rotated about the
 /// vertical.
 fn leaning(angle: f64) -> Attitude {
-    Rotation::<Space, Space>::about(Direction::new(0.0, 0.0, 1.0), 0.7).unwrap()
-        * Attitude::about(Direction::new(1.0, 0.0, 0.0), angle).unwrap()
+    Rotation::<Space, Space>::from_axis_angle(Direction::new(0.0, 0.0, 1.0), 0.7).unwrap()
+        * Attitude::from_axis_angle(Direction::new(1.0, 0.0, 0.0), angle).unwrap()
 }
 
 fn start(attitude: Attitude, omega: [f64; 3]) -> ContactStart {

@@ -124,7 +124,8 @@ fn the_cylinder_librates_as_nasa_says() {
     let case = table["cylinder"].as_table().unwrap();
     let shape = Cylinder::new(number(&case["radius"]), number(&case["length"])).unwrap();
     let solid = shape.mass_properties(Substance::Mass(number(&case["mass"]))).unwrap();
-    let along_x = Rotation::about(Direction::new(0.0, 1.0, 0.0), std::f64::consts::FRAC_PI_2).unwrap();
+    let along_x =
+        Rotation::from_axis_angle(Direction::new(0.0, 1.0, 0.0), std::f64::consts::FRAC_PI_2).unwrap();
     let body = assemble(&[PlacedPart::new(solid, Position::ZERO, along_x).unwrap()]).unwrap();
     let moments: [f64; 3] = numbers(&case["moments"]);
     for (k, moment) in moments.iter().enumerate() {
@@ -241,7 +242,7 @@ fn the_pitch_of_a_satellite_has_its_period() {
         let columns = [track, normal, up].map(Direction::to_array);
         let rows = [0, 1, 2].map(|k| columns.map(|column| column[k]));
         Rotation::<Space, Body>::from_matrix(rows).unwrap()
-            * Rotation::<Body, Body>::about(Direction::new(0.0, 1.0, 0.0), angle).unwrap()
+            * Rotation::<Body, Body>::from_axis_angle(Direction::new(0.0, 1.0, 0.0), angle).unwrap()
     };
     let frequency = n * (3.0 * (ix - iz) / iy).sqrt();
     for amplitude in [1e-3, 0.7] {
@@ -264,8 +265,8 @@ fn the_pitch_of_a_satellite_has_its_period() {
             for (sample, angle) in run.unwrap().samples().iter().zip([0.0, -amplitude, amplitude, amplitude])
             {
                 let state = sample.state;
-                let carried =
-                    Rotation::<Space, Space>::about(normal, n * state.time).unwrap() * upright(angle);
+                let carried = Rotation::<Space, Space>::from_axis_angle(normal, n * state.time).unwrap()
+                    * upright(angle);
                 let error = state.attitude.angle_to(carried);
                 assert!(error < 1e-11, "{method:?} {amplitude} t = {}: {error:e}", state.time);
             }
@@ -282,7 +283,7 @@ fn a_compass_swings_at_root_m_b_over_i() {
     let torque = [magnet([0.0, moment, 0.0], MagneticField::Uniform(field))];
     let frequency = (moment * strength / 1.6e-7_f64).sqrt();
     let amplitude = 1e-4;
-    let attitude = Attitude::about(Direction::new(0.0, 0.0, 1.0), amplitude).unwrap();
+    let attitude = Attitude::from_axis_angle(Direction::new(0.0, 0.0, 1.0), amplitude).unwrap();
     let start = State { time: 0.0, attitude, omega: AngularVelocity::ZERO };
     for method in METHODS {
         let times = [0.3, 1.1, 2.7].map(|t| t / frequency);

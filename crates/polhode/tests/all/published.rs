@@ -25,7 +25,7 @@ fn box_or_plate(size: [f64; 3], mass: f64) -> MassProperties<Part> {
         return part;
     }
     // the y axis of the plate is z of the case
-    part.in_frame(Rotation::about(Direction::new(1.0, 0.0, 0.0), 90.0 * DEG).unwrap())
+    part.in_frame(Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), 90.0 * DEG).unwrap())
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn thornton_and_marion_particles_and_cube() {
     let tolerance = number(&case["tolerance"]);
     assert_matrix(about.matrix(), matrix(&case["inertia_about_origin"]), tolerance, "11-13");
     for (got, want) in
-        PrincipalFrame::about(&about).moments().iter().zip(numbers::<3>(&case["principal_moments"]))
+        PrincipalFrame::about_pivot(&about).moments().iter().zip(numbers::<3>(&case["principal_moments"]))
     {
         assert!((got / want - 1.0).abs() < tolerance);
     }
@@ -84,7 +84,7 @@ fn thornton_and_marion_particles_and_cube() {
         BoxShape::new([side; 3]).unwrap().mass_properties(Substance::Mass(number(&case["mass"]))).unwrap();
     let corner = cube.inertia_about(Position::new(-side / 2.0, -side / 2.0, -side / 2.0));
     assert_matrix(corner.matrix(), matrix(&case["inertia_about_corner"]), 1e-15, "cube");
-    let principal = PrincipalFrame::about(&corner);
+    let principal = PrincipalFrame::about_pivot(&corner);
     for (got, want) in principal.moments().iter().zip(numbers::<3>(&case["principal_moments"])) {
         assert!((got - want).abs() < 1e-15);
     }
@@ -126,11 +126,12 @@ fn schaub_momentum_axes_and_energy() {
     let case = &textbook["schaub"];
     let inertia = InertiaTensor::<Body>::from_matrix(matrix(&case["inertia"])).unwrap();
     let [yaw, pitch, roll] = numbers::<3>(&case["yaw_pitch_roll_deg"]).map(|a| a * DEG);
-    let turn =
-        |axis: [f64; 3], angle| Rotation::<Space, Space>::about(Direction::from_array(axis), angle).unwrap();
+    let turn = |axis: [f64; 3], angle| {
+        Rotation::<Space, Space>::from_axis_angle(Direction::from_array(axis), angle).unwrap()
+    };
     let attitude: Attitude = turn([0.0, 0.0, 1.0], yaw)
         * turn([0.0, 1.0, 0.0], pitch)
-        * Rotation::about(Direction::new(1.0, 0.0, 0.0), roll).unwrap();
+        * Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), roll).unwrap();
 
     let part = &case["angular_momentum"];
     let omega = attitude.inverse() * AngularVelocity::from_array(numbers(&part["omega_space"]));
@@ -259,8 +260,11 @@ fn orekit_torque_free() {
         let window = number(&row["window_s"]);
         let motion = Trajectory::compute(&rotor, &[], start, &[window], Method::Auto, 1e-14).unwrap();
         let linear = start.attitude
-            * Rotation::about(Direction::from_array(start.omega.to_array()), start.omega.norm() * window)
-                .unwrap();
+            * Rotation::from_axis_angle(
+                Direction::from_array(start.omega.to_array()),
+                start.omega.norm() * window,
+            )
+            .unwrap();
         let angle = motion.samples()[0].state.attitude.angle_to(linear);
         assert!((angle - number(&row["angle_rad"])).abs() < number(&row["tolerance"]));
         assert!((angle / number(&row["angle_computed_rad"]) - 1.0).abs() < 1e-6);
@@ -353,7 +357,7 @@ fn nesc_tumbling_brick() {
         // Local axes (north, east, down) on the equator turn with the Earth and with the brick's
         // longitude about north, which is x of the published axes.
         let turn = number(&case["earth_rate_rad_s"]) * t + number(&row["longitude_deg"]) * DEG;
-        let local = Rotation::<Space, Space>::about(Direction::new(-1.0, 0.0, 0.0), turn).unwrap();
+        let local = Rotation::<Space, Space>::from_axis_angle(Direction::new(-1.0, 0.0, 0.0), turn).unwrap();
         let r = (local * state.attitude).matrix();
         let got = [r[1][0].atan2(r[0][0]), (-r[2][0]).asin(), r[2][1].atan2(r[2][2])];
         for (got, want) in got.iter().zip(numbers::<3>(&row["euler_ypr_deg"])) {

@@ -25,7 +25,7 @@ fn with(part: &str, scenario: Scenario) -> Result<Scenario, MotionError> {
         "prescribed" => {
             scenario.prescribed_as(Prescribed::euler_rates([0.2, 1.1, 0.3], [0.5, 0.0, 30.0]).unwrap())
         }
-        "torque" => scenario.under([TorqueModel::EnergySink(EnergySink::new(0.01).unwrap())]),
+        "torque" => scenario.with_torques([TorqueModel::EnergySink(EnergySink::new(0.01).unwrap())]),
         "event" => {
             let event = Event::new("fast", Measure::Rate, 9.0, Sense::Either, EventAction::Record);
             scenario.watching(vec![event.unwrap()])
@@ -123,8 +123,8 @@ fn what_does_nothing_is_told_before_it_runs() {
     assert!(codes(&still.clone().not_sampled()).is_empty());
     let gravity = TorqueModel::Gravity(UniformGravity::STANDARD);
     let balanced = Scenario::new(body()).held_at(body().center_of_mass()).unwrap();
-    assert_eq!(codes(&balanced.under([gravity.clone()]).unwrap()), ["gravity.balanced"]);
+    assert_eq!(codes(&balanced.with_torques([gravity.clone()]).unwrap()), ["gravity.balanced"]);
     let off = ActingTorque { model: gravity, name: Some("weight".to_owned()), is_on: false };
-    let hung = still.held_at(Position::ZERO).unwrap().under([off]).unwrap();
+    let hung = still.held_at(Position::ZERO).unwrap().with_torques([off]).unwrap();
     assert_eq!((codes(&hung), hung.switched_off()), (vec!["torque.off"], &[0][..]));
 }

@@ -83,7 +83,7 @@ fn the_bearings_and_the_drive_make_what_every_mass_point_needs() {
     // Work theorem: the motion about the point on the line needs the same torque about the line.
     let rotor = Rotor::pivoted(shaft.body(), point());
     let turn = Prescribed::fixed_axis(Attitude::identity(), shaft.axis(), rate, acceleration).unwrap();
-    let needed = Required::by(&rotor, &turn, 0.0).unwrap();
+    let needed = Required::of_motion(&rotor, &turn, 0.0).unwrap();
     assert!((needed.torque.dot(shaft.axis()) - without.torque).abs() < 1e-12);
     assert!((needed.power - without.torque * rate).abs() < 1e-11);
 }
@@ -110,7 +110,7 @@ fn two_masses_in_two_planes_balance_any_shaft() {
         let across = r - Position::from_array((shaft.axis() * mass.plane).to_array());
         assert!((across.norm() - mass.radius).abs() < 1e-14 && mass.mass > 0.1);
         let mark = shaft.zero_mark();
-        let turned: Rotation<Body, Body> = Rotation::about(shaft.axis(), mass.angle).unwrap();
+        let turned: Rotation<Body, Body> = Rotation::from_axis_angle(shaft.axis(), mass.angle).unwrap();
         assert!((turned * mark).angle_to(across) < 1e-14);
     }
     let balanced = shaft.with(&masses).unwrap();

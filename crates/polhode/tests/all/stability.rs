@@ -11,7 +11,7 @@ fn tensor(moments: [f64; 3], r: Rotation<Body, Body>) -> InertiaTensor<Body> {
 }
 
 fn generic_turn() -> Rotation<Body, Body> {
-    Rotation::about(Direction::new(0.3, -0.8, 0.5), 1.1).unwrap()
+    Rotation::from_axis_angle(Direction::new(0.3, -0.8, 0.5), 1.1).unwrap()
 }
 
 fn free(moments: [f64; 3]) -> Rotor {
@@ -44,7 +44,7 @@ fn the_intermediate_axis_grows_and_the_others_do_not() {
     let omega = 2.3;
     for k in 0..3 {
         let at = spin(rotor.principal().axis(k), omega);
-        let found = PermanentRotation::about(&rotor, at).unwrap();
+        let found = PermanentRotation::of(&rotor, at).unwrap();
         let [i1, i2, i3] = moments;
         let (i, j) = [(i2, i3), (i1, i3), (i1, i2)][k];
         let c = omega * omega * (moments[k] - i) * (moments[k] - j) / (i * j);
@@ -72,7 +72,7 @@ fn equal_moments_are_marginal() {
     for (moments, marginal) in [([2.0, 2.0, 3.0], [true, true, false]), ([2.0; 3], [true; 3])] {
         let rotor = free(moments);
         for (k, marginal) in marginal.into_iter().enumerate() {
-            let found = PermanentRotation::about(&rotor, spin(rotor.principal().axis(k), 1.7)).unwrap();
+            let found = PermanentRotation::of(&rotor, spin(rotor.principal().axis(k), 1.7)).unwrap();
             assert_eq!(found.stability == Stability::Marginal, marginal, "{moments:?} {k}");
         }
     }
@@ -94,7 +94,7 @@ fn a_wheel_makes_the_intermediate_axis_stable_beyond_its_threshold() {
             let axis = rotor.principal().axis(1);
             let h = part * threshold;
             let rotor = rotor.with_wheels(&[Wheel::new(axis, h, Motor::HeldSpeed).unwrap()]).unwrap();
-            let found = PermanentRotation::about(&rotor, spin(axis, omega)).unwrap();
+            let found = PermanentRotation::of(&rotor, spin(axis, omega)).unwrap();
             let c = (h + (i2 - i1) * omega) * (h + (i2 - i3) * omega) / (i1 * i3);
             assert!(across * threshold > 0.0 && (c > 0.0) == stable);
             match found.stability {
@@ -147,10 +147,7 @@ fn all_permanent_rotations_are_found() {
             let bending = p.momentum.cross(p.omega).norm();
             assert!(bending < 2e-13 * p.momentum.norm() * p.omega.norm(), "{h}: {bending:e} {p:?}");
             // Each of them is a permanent rotation.
-            assert_eq!(
-                PermanentRotation::about(&rotor, p.omega).unwrap().stability.name(),
-                p.stability.name()
-            );
+            assert_eq!(PermanentRotation::of(&rotor, p.omega).unwrap().stability.name(), p.stability.name());
         }
         // Extrema on a sphere: the numbers of maxima and minima exceed that of saddles by two
         // (Euler, Poincaré).
@@ -172,7 +169,7 @@ fn all_permanent_rotations_are_found() {
 #[test]
 fn what_is_no_permanent_rotation_is_refused() {
     let body = free([1.3, 2.9, 3.7]);
-    let off = PermanentRotation::about(&body, AngularVelocity::new(1.0, 2.0, 3.0));
+    let off = PermanentRotation::of(&body, AngularVelocity::new(1.0, 2.0, 3.0));
     assert!(matches!(off, Err(MotionError::NotSteady { .. })), "{off:?}");
     let motor = Motor::Torque { inertia: 0.1, torque: 0.2, schedule: None };
     let driven =
@@ -211,7 +208,8 @@ fn a_hanging_body_swings_about_two_axes() {
     let moments = [0.71, 0.83, 0.42];
     let r = generic_turn();
     let (rotor, upright) = hanging(moments, r);
-    let swings = SmallOscillations::about(&rotor, &gravity(), at(upright, AngularVelocity::ZERO)).unwrap();
+    let swings =
+        SmallOscillations::about_equilibrium(&rotor, &gravity(), at(upright, AngularVelocity::ZERO)).unwrap();
     assert_eq!((swings.modes.len(), swings.neutral), (2, 2));
     assert!(swings.is_stable());
     // the lower frequency is about the axis of greater moment
@@ -229,9 +227,10 @@ fn a_hanging_body_swings_about_two_axes() {
     assert!((swings.modes[1].frequency / pendulum.small_frequency() - 1.0).abs() < 1e-10);
     // Upside down it falls at the same rates.
     let over: Rotation<Space, Space> =
-        Rotation::about(Direction::new(0.0, 1.0, 0.0), std::f64::consts::PI).unwrap();
+        Rotation::from_axis_angle(Direction::new(0.0, 1.0, 0.0), std::f64::consts::PI).unwrap();
     let falls =
-        SmallOscillations::about(&rotor, &gravity(), at(over * upright, AngularVelocity::ZERO)).unwrap();
+        SmallOscillations::about_equilibrium(&rotor, &gravity(), at(over * upright, AngularVelocity::ZERO))
+            .unwrap();
     assert!(!falls.is_stable());
     assert!((falls.modes[0].growth_rate / swings.modes[1].frequency - 1.0).abs() < 1e-9, "{falls:?}");
     assert_eq!(falls.modes[0].frequency, 0.0);
@@ -240,14 +239,15 @@ fn a_hanging_body_swings_about_two_axes() {
 #[test]
 fn the_nearest_equilibrium_is_found() {
     let (rotor, upright) = hanging([0.71, 0.83, 0.42], generic_turn());
-    let away: Rotation<Space, Space> = Rotation::about(Direction::new(0.3, 0.9, -0.2), 0.6).unwrap();
+    let away: Rotation<Space, Space> =
+        Rotation::from_axis_angle(Direction::new(0.3, 0.9, -0.2), 0.6).unwrap();
     let start = at(away * upright, AngularVelocity::ZERO);
-    let refused = SmallOscillations::about(&rotor, &gravity(), start);
+    let refused = SmallOscillations::about_equilibrium(&rotor, &gravity(), start);
     assert!(matches!(refused, Err(MotionError::NotSteady { .. })), "{refused:?}");
     let found = SmallOscillations::equilibrium_near(&rotor, &gravity(), start).unwrap();
     let lever = found.attitude * rotor.lever();
     assert!(lever.angle_to(Direction::new(0.0, 0.0, -1.0)) < 1e-14, "{lever:?}");
-    assert!(SmallOscillations::about(&rotor, &gravity(), found).unwrap().is_stable());
+    assert!(SmallOscillations::about_equilibrium(&rotor, &gravity(), found).unwrap().is_stable());
     // The torque cannot vanish: an equilibrium does not exist.
     let constant = [TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.1, 0.2, 0.3)))];
     let none = SmallOscillations::equilibrium_near(&rotor, &constant, start);
@@ -262,7 +262,8 @@ fn a_wheel_makes_a_pendulum_a_gyroscope() {
     let (rotor, upright) = hanging([i, i, 0.42], generic_turn());
     let wheel = Wheel::new(generic_turn() * Direction::new(0.0, 0.0, 1.0), h, Motor::HeldSpeed).unwrap();
     let rotor = rotor.with_wheels(&[wheel]).unwrap();
-    let swings = SmallOscillations::about(&rotor, &gravity(), at(upright, AngularVelocity::ZERO)).unwrap();
+    let swings =
+        SmallOscillations::about_equilibrium(&rotor, &gravity(), at(upright, AngularVelocity::ZERO)).unwrap();
     let root = (h * h + 4.0 * i * 2.3 * G * 0.37).sqrt();
     assert_eq!(swings.modes.len(), 2);
     for (mode, expected) in swings.modes.iter().zip([(root - h) / (2.0 * i), (root + h) / (2.0 * i)]) {
@@ -280,11 +281,11 @@ fn a_sleeping_top_wakes_below_its_threshold() {
     let (a, c, mgl) = (0.83, 0.42, 2.3 * G * 0.37);
     let (rotor, hangs) = hanging([a, a, c], Rotation::identity());
     let over: Rotation<Space, Space> =
-        Rotation::about(Direction::new(1.0, 0.0, 0.0), std::f64::consts::PI).unwrap();
+        Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), std::f64::consts::PI).unwrap();
     let threshold = 2.0 * (mgl * a).sqrt() / c;
     for (part, sleeps) in [(0.5, false), (0.999, false), (1.001, true), (1.7, true)] {
         let omega = part * threshold;
-        let top = SmallOscillations::about(
+        let top = SmallOscillations::about_equilibrium(
             &rotor,
             &gravity(),
             at(over * hangs, AngularVelocity::new(0.0, 0.0, omega)),
@@ -324,7 +325,7 @@ fn friction_inside_damps_nutation_at_the_rate_of_its_closed_form() {
         let alpha = 0.013;
         let sink = [TorqueModel::EnergySink(EnergySink::new(alpha).unwrap())];
         let spin = at(Attitude::identity(), AngularVelocity::new(0.0, 0.0, omega));
-        let found = SmallOscillations::about(&rotor, &sink, spin).unwrap();
+        let found = SmallOscillations::about_equilibrium(&rotor, &sink, spin).unwrap();
         let l = along * omega;
         let growth = alpha * l * l * (1.0 / along - 1.0 / across);
         let nutation = found.modes.iter().find(|m| m.growth_rate != 0.0).unwrap();
@@ -338,7 +339,7 @@ fn friction_inside_damps_nutation_at_the_rate_of_its_closed_form() {
 
 #[test]
 fn a_free_body_at_rest_has_only_neutral_ways() {
-    let found = SmallOscillations::about(
+    let found = SmallOscillations::about_equilibrium(
         &free([1.3, 2.9, 3.7]),
         &[],
         at(Attitude::identity(), AngularVelocity::ZERO),

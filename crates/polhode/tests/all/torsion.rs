@@ -34,7 +34,7 @@ fn the_period_is_the_same_at_every_amplitude() {
     for amplitude in [1e-9, 0.01, 1.0, 3.1] {
         let start = State {
             time: 0.0,
-            attitude: Rotation::<Space, Space>::about(axis, amplitude).unwrap() * rest(),
+            attitude: Rotation::<Space, Space>::from_axis_angle(axis, amplitude).unwrap() * rest(),
             omega: AngularVelocity::ZERO,
         };
         for torque in springs(stiffness, axis) {
@@ -45,7 +45,7 @@ fn the_period_is_the_same_at_every_amplitude() {
                 for sample in motion.samples() {
                     // ψ = ψ₀ cos √(κ/I) t
                     let angle = amplitude * (rate * sample.state.time).cos();
-                    let want = Rotation::<Space, Space>::about(axis, angle).unwrap() * rest();
+                    let want = Rotation::<Space, Space>::from_axis_angle(axis, angle).unwrap() * rest();
                     let error = sample.state.attitude.angle_to(want);
                     // The error of the smallest amplitude is absolute, at the tolerance, not
                     // relative.
@@ -218,7 +218,7 @@ fn an_event_before_half_a_turn_wins() {
 fn a_twist_of_half_a_turn_at_the_start_is_not_determined() {
     let rotor = Rotor::free(&body());
     let axis = Direction::new(0.3, -0.5, 0.9).direction().unwrap();
-    let attitude = Rotation::<Space, Space>::about(axis, std::f64::consts::PI).unwrap() * rest();
+    let attitude = Rotation::<Space, Space>::from_axis_angle(axis, std::f64::consts::PI).unwrap() * rest();
     let start = State { time: 2.0, attitude, omega: AngularVelocity::new(0.4, -0.7, 0.3) };
     for torque in springs(1.7, axis) {
         for method in METHODS {

@@ -241,7 +241,7 @@ proptest! {
         let sign = phase.geometric * if motion.circles_least() { 1.0 } else { -1.0 };
         prop_assert!((0.0..TAU).contains(&sign) && phase.total > 0.0);
         let axis: Direction<Space> = motion.momentum().direction().unwrap();
-        let turned = Rotation::<Space, Space>::about(axis, phase.total).unwrap() * motion.start().attitude;
+        let turned = Rotation::<Space, Space>::from_axis_angle(axis, phase.total).unwrap() * motion.start().attitude;
         let after = motion.at(motion.period().unwrap()).attitude;
         // near the separatrix, rounding of the period changes the phase
         let held = 1e-14 * (1.0 + phase.total);

@@ -205,7 +205,7 @@ fn a_spin_up_turns_the_carrier_the_other_way() {
         // and the whole rotation: half a t² during spin-up, then at constant rate
         let rate = torque / (principal.moments()[1] - inertia);
         let angle = rate * (0.5 * 2.5 * 2.5 + 2.5 * 4.5);
-        let turned = Attitude::about(Direction::new(1.0, 0.0, 0.0), angle).unwrap().angle();
+        let turned = Attitude::from_axis_angle(Direction::new(1.0, 0.0, 0.0), angle).unwrap().angle();
         let last = motion.samples()[3].state.attitude;
         assert!((last.angle_to(rest.attitude) - turned).abs() < 1e-14);
     }

@@ -155,12 +155,12 @@ impl<'a> Numbers<'a> {
         match distance.string().ok().and_then(reference) {
             Some((sign, name)) => {
                 let id = self.named(&distance, name, Dimension::LENGTH)?;
-                Ok(Point::from(at).along(id, along.map(|x| sign * x)))
+                Ok(Point::from(at).shifted(id, along.map(|x| sign * x)))
             }
             None => {
                 let measured = measured(&distance, Dimension::LENGTH)?;
                 let id = self.plan.number(format!("{called} distance"), "m", measured);
-                Ok(Point::from(at).along(id, along))
+                Ok(Point::from(at).shifted(id, along))
             }
         }
     }

@@ -181,7 +181,7 @@ fn what_tests_share_correlates_their_moments() {
     let length = plan.number("length", "m", Measured::new(0.9, 1e-3));
     let up = |axis: [f64; 3]| {
         let (n, z) = (Direction::from_array(axis), Direction::new(0.0, 0.0, 1.0));
-        let rotation = Rotation::about(n.cross(z), n.angle_to(z)).unwrap_or(Rotation::identity());
+        let rotation = Rotation::from_axis_angle(n.cross(z), n.angle_to(z)).unwrap_or(Rotation::identity());
         Placement { rotation, origin: Position::ZERO }
     };
     for (axis, time) in [([0.0, 0.0, 1.0], 71.0), ([1.0, 0.0, 0.0], 59.0)] {

@@ -196,7 +196,7 @@ pub(super) fn pendulums() -> Setup {
                     let unit = n.direction().unwrap();
                     let seed = [[0.3, 0.2, 1.0], [1.0, -0.3, 0.4], [0.2, 1.0, -0.5]][k % 3];
                     let across = unit.cross(Direction::from_array(seed)).direction().unwrap();
-                    let point = Point::from([0.01, 0.0, -0.02]).along(ids[0], across.to_array());
+                    let point = Point::from([0.01, 0.0, -0.02]).shifted(ids[0], across.to_array());
                     (Some(Placement::AS_IT_IS), None, Rig::Axis(Axis::level(point, n).with_edge(ids[1])))
                 })
                 .collect()
@@ -235,7 +235,7 @@ pub(super) fn platform() -> Setup {
                 // Rotated so that this axis of the body is vertical.
                 let n = Direction::<polhode::math::Space>::from_array(axis).direction().unwrap();
                 let z = Direction::new(0.0, 0.0, 1.0);
-                let rotation = Rotation::about(n.cross(z), n.angle_to(z)).unwrap();
+                let rotation = Rotation::from_axis_angle(n.cross(z), n.angle_to(z)).unwrap();
                 let placement = Placement { rotation, origin: Position::new(0.011, -0.007, 0.08) };
                 all.push((Some(placement), Some(fixture.clone()), rig.clone()));
             }

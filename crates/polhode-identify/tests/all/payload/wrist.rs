@@ -88,7 +88,7 @@ pub(super) enum Course {
 
 /// Returns rows without noise.
 pub(super) fn rows(carried: &Carried, course: Course, count: usize, sense: WrenchSense) -> Vec<PayloadRow> {
-    let mut attitude = Attitude::about(Direction::new(0.3, -0.7, 0.5), 0.4).unwrap();
+    let mut attitude = Attitude::from_axis_angle(Direction::new(0.3, -0.7, 0.5), 0.4).unwrap();
     let step = 0.01;
     let down = Acceleration::<Space>::new(0.0, 0.0, -9.81);
     let mut all = Vec::new();
@@ -102,7 +102,7 @@ pub(super) fn rows(carried: &Carried, course: Course, count: usize, sense: Wrenc
             }
             Course::Poses => {
                 let axis = Direction::new((3.1 * t).sin(), (2.3 * t + 1.0).cos(), (1.7 * t).sin() + 0.2);
-                let pose = Attitude::about(axis.direction().unwrap(), 4.0 * t).unwrap();
+                let pose = Attitude::from_axis_angle(axis.direction().unwrap(), 4.0 * t).unwrap();
                 ([0.0; 3], [0.0; 3], [0.0; 3], gravity_along(pose, down))
             }
             Course::OneAxis => {
@@ -126,7 +126,8 @@ pub(super) fn rows(carried: &Carried, course: Course, count: usize, sense: Wrenc
         (row.force, row.torque) = (force * sign, torque * sign);
         all.push(row);
         if let Some(axis) = Direction::from_array(omega.to_array()).direction() {
-            attitude = attitude * polhode::math::Rotation::about(axis, omega.norm() * step).unwrap();
+            attitude =
+                attitude * polhode::math::Rotation::from_axis_angle(axis, omega.norm() * step).unwrap();
         }
     }
     all

@@ -61,7 +61,7 @@ pub(crate) fn gimbals(
     let base = table.get("base").map_or(Ok(Base::FIXED), |base| base_of(&base))?;
     let gimbals = gimbals
         .holding(crossing, rotor_axis)
-        .and_then(|gimbals| gimbals.with_mass(outer, inner).on(base).under(gravity))
+        .and_then(|gimbals| gimbals.with_mass(outer, inner).with_base(base).with_gravity(gravity))
         .map_err(|error| value.motion(error))?;
     let method = scenario.run().map_or(Method::Auto, |run| run.method);
     if !matches!(method, Method::Auto | Method::Taylor) {

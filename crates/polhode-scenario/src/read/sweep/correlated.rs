@@ -54,7 +54,7 @@ impl Numbers {
         let mut targets = targets.into_iter();
         let Some((mut all, _)) = targets.next() else { return Err(key.invalid("keys of numbers")) };
         for (target, key) in targets {
-            all = all.beside(target, &key)?;
+            all = all.joined_with(target, &key)?;
         }
         Ok((all, Self { names, nominal, is_body: false }))
     }

@@ -163,7 +163,7 @@ fn librations(w: &Working<'_>, place: &OrbitalEquilibrium, rate: f64, alone: boo
 
 /// Writes the eigenvalues, and the axis about which each mode oscillates.
 fn modes(w: &Working<'_>, torques: &[TorqueModel], state: State, s: &mut Section) {
-    let Ok(found) = SmallOscillations::about(w.rotor, torques, state) else { return };
+    let Ok(found) = SmallOscillations::about_equilibrium(w.rotor, torques, state) else { return };
     if found.modes.is_empty() {
         return;
     }

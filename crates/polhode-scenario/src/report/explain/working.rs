@@ -92,7 +92,7 @@ impl<'a> Working<'a> {
         let pendulum = scenario.pendulum().transpose()?;
         let needed = scenario
             .prescribed()
-            .map(|motion| Required::by(rotor, motion, scenario.start().time))
+            .map(|motion| Required::of_motion(rotor, motion, scenario.start().time))
             .transpose()?;
         let start = needed.map_or(scenario.start(), |needed| needed.state);
         let contact = touching(scenario, trajectory.as_deref())?;

@@ -81,7 +81,7 @@ impl<'a> Known<'a> {
             start,
             is_free,
             drift: prescribed.is_none().then(|| Drift::of(trajectory)).flatten(),
-            needed: prescribed.and_then(|motion| Needed::by(scenario, motion, trajectory)),
+            needed: prescribed.and_then(|motion| Needed::of_motion(scenario, motion, trajectory)),
             hanging: scenario.pendulum().and_then(Result::ok).map(|p| (p, swing(scenario, &p, &start))),
             heavy_top: heavy_top::of(scenario, start),
         }
@@ -161,7 +161,7 @@ impl Needed {
         let rotor = scenario.rotor();
         let time = trajectory.samples().first().map_or(scenario.start().time, |sample| sample.state.time);
         // The start of a computed trajectory is finite.
-        let at_start = Required::by(rotor, motion, time).ok()?;
+        let at_start = Required::of_motion(rotor, motion, time).ok()?;
         let larger = |a: &&Sample, b: &&Sample| a.torque.norm().total_cmp(&b.torque.norm());
         Some(Self {
             at_start,

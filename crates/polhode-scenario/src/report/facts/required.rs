@@ -52,13 +52,13 @@ pub(crate) fn torque(
             .note(format!("in body axes, |N| = {size} N·m{when}")),
         Fact::new(format!("{key}.torque_space_n_m"), "N in space", value((attitude * n).to_array())),
     ]
-    .map(|fact| fact.beside(scale).digits(DIGITS))
+    .map(|fact| fact.with_term_size(scale).digits(DIGITS))
 }
 
 /// Returns N · ω; `scale` as for the torque.
 pub(crate) fn power(key: &str, label: &str, needed: &Required, scale: f64) -> Fact {
     Fact::new(format!("{key}.power_w"), label, Quantity::Number(needed.power, "W"))
-        .beside(scale * needed.state.omega.norm())
+        .with_term_size(scale * needed.state.omega.norm())
         .digits(DIGITS)
 }
 

@@ -35,7 +35,7 @@ fn scenario(omega: [f64; 3]) -> Scenario {
 fn heavy() -> Scenario {
     let gravity = UniformGravity { acceleration: Acceleration::new(0.3, -0.2, -9.7) };
     let torques = vec![TorqueModel::Gravity(gravity)];
-    scenario([0.7, -1.1, 2.3]).held_at(Position::ZERO).unwrap().under(torques).unwrap()
+    scenario([0.7, -1.1, 2.3]).held_at(Position::ZERO).unwrap().with_torques(torques).unwrap()
 }
 
 /// Returns a symmetric top with its tip at the origin, at an inclination `tilt`, rad.
@@ -46,7 +46,7 @@ fn top(tilt: f64, omega: [f64; 3]) -> Scenario {
     let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) };
     let torques = vec![TorqueModel::Gravity(UniformGravity::STANDARD)];
     let top = Scenario::new(body).titled("A top").held_at(Position::ZERO).unwrap().starting(start).unwrap();
-    top.under(torques).unwrap().sampled(Run::evenly(2.0, 801, Method::Auto, 1e-12))
+    top.with_torques(torques).unwrap().sampled(Run::evenly(2.0, 801, Method::Auto, 1e-12))
 }
 
 /// Returns a body at rest with two wheels, one of them driven by a motor; L is zero.
@@ -69,13 +69,13 @@ fn run_away() -> Scenario {
     let torque = FormulaTorque::Body([Formula::constant(0.0), Formula::constant(0.0), along]);
     let torques = vec![TorqueModel::Formula(Box::new(torque))];
     let start = scenario([0.0, 0.0, 0.5]).start();
-    let away = Scenario::new(body).starting(start).unwrap().under(torques).unwrap();
+    let away = Scenario::new(body).starting(start).unwrap().with_torques(torques).unwrap();
     away.sampled(Run::evenly(4.0, 81, Method::Auto, 1e-12))
 }
 
 fn thrust() -> Scenario {
     let torque = ConstantTorque::Body(Torque::new(0.3, -0.2, 0.5));
-    scenario([0.7, -1.1, 0.3]).under([TorqueModel::Constant(torque)]).unwrap()
+    scenario([0.7, -1.1, 0.3]).with_torques([TorqueModel::Constant(torque)]).unwrap()
 }
 
 fn moments(moments: [f64; 3], omega: [f64; 3], span: f64) -> (FreeMotion, Trajectory) {

@@ -91,7 +91,7 @@ fn state(key: &str, s: &Required, report: &RequiredReport) -> Vec<Fact> {
         data("attitude_wxyz", Quantity::Attitude(s.state.attitude.canonical_quaternion())),
         vector("omega_body", "ω", omega.to_array(), "rad/s").note(in_body("ω", omega.norm(), "rad/s")),
         vector("acceleration_body", "dω/dt", s.acceleration.to_array(), "rad/s²")
-            .beside(omega.norm() * omega.norm())
+            .with_term_size(omega.norm() * omega.norm())
             .note("in body axes"),
     ];
     facts.extend(torque(key, "N", s.torque, s.state.attitude, scale, ""));
@@ -127,7 +127,8 @@ fn run(report: &RequiredReport) -> Vec<Fact> {
     let ([body, space], most, last) = (report.rms(), report.most_power(), report.last());
     let (scale, to_the_end) = (report.scale(), format!("up to t = {} s", number(last.state.time, DIGITS)));
     let (work, impulse) = (last.work_since(report.first()), last.impulse_since(report.first()));
-    let rms = |key: &str, v: [f64; 3]| Fact::new(key, "rms of N", Quantity::Vector(v, "N·m")).beside(scale);
+    let rms =
+        |key: &str, v: [f64; 3]| Fact::new(key, "rms of N", Quantity::Vector(v, "N·m")).with_term_size(scale);
     let facts = vec![
         Fact::data("largest_power.time_s", Quantity::Duration(most.state.time)),
         power("largest_power", "largest power", most, scale)
@@ -136,10 +137,10 @@ fn run(report: &RequiredReport) -> Vec<Fact> {
         rms("rms_torque_body_n_m", body).note("of each component, in body axes"),
         rms("rms_torque_space_n_m", space).note("of each component, in space axes").detail(),
         Fact::new("work_j", "work", Quantity::Energy(work))
-            .beside(report.energy())
+            .with_term_size(report.energy())
             .note(format!("∫ N · ω dt {to_the_end}")),
         Fact::new("impulse_space_n_m_s", "impulse", Quantity::Vector(impulse.to_array(), "N·m·s"))
-            .beside(report.momentum())
+            .with_term_size(report.momentum())
             .note(format!("∫ N dt {to_the_end}, in space axes")),
     ];
     facts.into_iter().map(|fact| fact.shown_if(report.is_run())).collect()

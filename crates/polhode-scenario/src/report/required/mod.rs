@@ -74,7 +74,7 @@ impl RequiredReport {
                 ("the number of prescribed motions", "at least 1: [prescribed] or [shaft]");
             return Err(MotionError::ParameterOutOfRange { parameter, value: 0.0, rule });
         };
-        let needed = |time: &f64| Required::by(rotor, motion, *time);
+        let needed = |time: &f64| Required::of_motion(rotor, motion, *time);
         let times = scenario.run().map_or(&[][..], |run| &run.times);
         let start = needed(&scenario.start().time)?;
         let mut samples = times.iter().map(needed).collect::<Result<Vec<_>, _>>()?;

@@ -128,7 +128,7 @@ impl ShaftReport {
         let has_weight = self.mounted.gravity.norm() > 0.0;
         [
             Fact::shown(format!("bearing {}", k + 1), Quantity::Vector(turning.to_array(), "N"))
-                .beside(self.scale())
+                .with_term_size(self.scale())
                 .note(format!(
                     "in body axes, turning with the shaft, |F| = {size} N; at {place} along the axis"
                 )),

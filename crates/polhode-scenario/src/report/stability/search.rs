@@ -80,7 +80,7 @@ pub(crate) fn search(rotor: &Rotor, torques: &[&Acting], start: State) -> Result
 /// and the nearest equilibrium with the start's ω, with its rotation about the vertical, or at
 /// rest.
 fn found(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Result<Found, MotionError> {
-    let about = |state: State| SmallOscillations::about(rotor, torques, state);
+    let about = |state: State| SmallOscillations::about_equilibrium(rotor, torques, state);
     let near = |omega: AngularVelocity<Space>| {
         let omega = start.attitude.inverse() * omega;
         about(SmallOscillations::equilibrium_near(rotor, torques, State { omega, ..start })?)

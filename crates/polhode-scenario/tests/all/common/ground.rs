@@ -75,8 +75,8 @@ impl Setting {
 /// Returns an attitude whose z axis is inclined at `angle`, rad, from the vertical, in a generic
 /// direction.
 pub fn leaning(angle: f64) -> Attitude {
-    Rotation::<Space, Space>::about(UP, 0.7).unwrap()
-        * Attitude::about(Direction::new(1.0, 0.0, 0.0), angle).unwrap()
+    Rotation::<Space, Space>::from_axis_angle(UP, 0.7).unwrap()
+        * Attitude::from_axis_angle(Direction::new(1.0, 0.0, 0.0), angle).unwrap()
 }
 
 pub fn dry(friction: f64) -> ContactLaw {
@@ -182,7 +182,8 @@ pub fn cylinder(angle: f64) -> Setting {
     let normal = Direction::<Space>::new(angle.sin(), 0.0, angle.cos());
     Setting {
         ground: Ground::new(GroundShape::Plane, normal).unwrap(),
-        attitude: Attitude::about(Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2).unwrap(),
+        attitude: Attitude::from_axis_angle(Direction::new(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2)
+            .unwrap(),
         omega: [0.0, 0.0, -3.0],
         law: dry(0.4),
         ..Setting::new(

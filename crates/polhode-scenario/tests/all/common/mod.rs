@@ -39,7 +39,7 @@ pub fn solid(
     turn: f64,
 ) -> BodyPart {
     let properties = shape.mass_properties(Substance::Mass(mass)).unwrap();
-    let rotation = Rotation::about(Direction::new(0.0, 0.0, 1.0), turn).unwrap();
+    let rotation = Rotation::from_axis_angle(Direction::new(0.0, 0.0, 1.0), turn).unwrap();
     BodyPart {
         name: name.to_owned(),
         kind,
@@ -111,9 +111,11 @@ pub fn pendulum() -> Scenario {
     let masses = particles(&[(m1, [b, 0.0, 0.0]), (m2, [0.5 * b, 0.0, 0.0])]);
     let mut s = scenario("The pendulum of example 11.4", vec![masses]);
     s = s.held_at(Position::ZERO).unwrap();
-    s = facing(s, Rotation::about(Direction::new(0.0, 0.0, 1.0), angle).unwrap());
+    s = facing(s, Rotation::from_axis_angle(Direction::new(0.0, 0.0, 1.0), angle).unwrap());
     s = s
-        .under(vec![TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(g, 0.0, 0.0) })])
+        .with_torques(vec![TorqueModel::Gravity(UniformGravity {
+            acceleration: Acceleration::new(g, 0.0, 0.0),
+        })])
         .unwrap();
     s = s.suspended_from(Suspension { axis: Direction::new(0.0, 0.0, 1.0), amplitude: None }).unwrap();
     s = s.sampled(run(5.0, 101));
@@ -174,7 +176,9 @@ pub fn hostile(text: &str) -> Scenario {
 /// Spacecraft with a thruster: constant torque in body axes.
 pub fn thruster() -> Scenario {
     let mut s = tensor("A thruster fires", [3.1, 4.2, 5.3], [0.4, -0.3, 0.2], [0.7, -1.1, 0.4]);
-    s = s.under(vec![TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.3, -0.1, 0.2)))]).unwrap();
+    s = s
+        .with_torques(vec![TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.3, -0.1, 0.2)))])
+        .unwrap();
     s = s.sampled(run(6.0, 61));
     s
 }
@@ -292,7 +296,7 @@ pub fn all() -> Vec<Scenario> {
         facing(pendulum(), Attitude::identity()),
         thruster().not_sampled(),
         thruster()
-            .under([
+            .with_torques([
                 thruster().torques()[0].clone(),
                 TorqueModel::Constant(ConstantTorque::Space(Torque::new(0.0, 0.0, 0.1))),
                 TorqueModel::Gravity(UniformGravity::STANDARD),

@@ -104,7 +104,7 @@ fn matrices_of_few_digits_are_taken_to_the_nearest_rotation() {
 fn turned(axes: [usize; 3], angles: [f64; 3]) -> Attitude {
     let one = |k: usize| {
         let [x, y, z] = std::array::from_fn(|axis| f64::from(u8::from(axis == axes[k])));
-        Rotation::<Body, Body>::about(Direction::new(x, y, z), angles[k]).unwrap()
+        Rotation::<Body, Body>::from_axis_angle(Direction::new(x, y, z), angles[k]).unwrap()
     };
     Attitude::identity() * one(0) * one(1) * one(2)
 }

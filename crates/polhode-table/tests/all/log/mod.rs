@@ -17,8 +17,8 @@ use polhode_table::log::{Columns, RunLog};
 fn attitudes(rows: usize) -> Vec<Attitude> {
     let turn = |k: usize| {
         let t = k as f64;
-        let first = Attitude::about(Direction::new(0.3, -0.8, 0.5), 0.7 + 0.37 * t).unwrap();
-        first * Rotation::about(Direction::new(-0.6, 0.2, 0.9), 1.1 - 0.21 * t).unwrap()
+        let first = Attitude::from_axis_angle(Direction::new(0.3, -0.8, 0.5), 0.7 + 0.37 * t).unwrap();
+        first * Rotation::from_axis_angle(Direction::new(-0.6, 0.2, 0.9), 1.1 - 0.21 * t).unwrap()
     };
     (0..rows).map(turn).collect()
 }

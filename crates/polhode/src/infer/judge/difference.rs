@@ -93,7 +93,7 @@ mod tests {
         let mut squares = 0.0;
         for k in 0..100 {
             let axis = Direction::<Body>::new(0.3 + 0.01 * f64::from(k), -0.5, 0.7);
-            let turn = Rotation::<Body, Body>::about(axis, 1e-10).expect("an axis");
+            let turn = Rotation::<Body, Body>::from_axis_angle(axis, 1e-10).expect("an axis");
             let b = (a * turn).quaternion().map(|c| -3.0 * c);
             let theta = rotation_vector(a.quaternion(), b);
             let unit = axis.direction().expect("not zero").to_array();
@@ -105,7 +105,7 @@ mod tests {
     #[test]
     fn a_large_turn_is_one_whole_turn_less_another() {
         let turn = |angle: f64| {
-            Rotation::<Space, Body>::about(Direction::new(1.0, 2.0, -2.0), angle).expect("an axis")
+            Rotation::<Space, Body>::from_axis_angle(Direction::new(1.0, 2.0, -2.0), angle).expect("an axis")
         };
         let [x, y, z] = rotation_vector(turn(0.4).quaternion(), turn(0.4 + 5.0).quaternion());
         let expected = 5.0 - core::f64::consts::TAU;

@@ -25,7 +25,7 @@ use crate::motion::task::scenario::Scenario;
 /// // A program that writes x, y, z, w, and leaves out ω × I ω, so that the body turns about one axis for ever.
 /// let times: Vec<f64> = (0..200).map(|k| 0.02 * f64::from(k)).collect();
 /// let turned = |t: &f64| -> Result<[f64; 4], Box<dyn std::error::Error>> {
-///     let turn = Rotation::<Body, Body>::about(Direction::from_array(omega.to_array()), omega.norm() * t)?;
+///     let turn = Rotation::<Body, Body>::from_axis_angle(Direction::from_array(omega.to_array()), omega.norm() * t)?;
 ///     let [w, x, y, z] = (start.attitude * turn).quaternion();
 ///     Ok([x, y, z, w])
 /// };

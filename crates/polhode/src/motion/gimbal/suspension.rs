@@ -121,7 +121,7 @@ impl Gimbals {
 
     /// Sets the base.
     #[must_use]
-    pub const fn on(self, base: Base) -> Self {
+    pub const fn with_base(self, base: Base) -> Self {
         Self { base, ..self }
     }
 
@@ -129,7 +129,7 @@ impl Gimbals {
     ///
     /// # Errors
     /// A parameter's error ([`MotionError::is_parameter`]) if it is not finite.
-    pub fn under(self, gravity: Acceleration<Space>) -> Result<Self, MotionError> {
+    pub fn with_gravity(self, gravity: Acceleration<Space>) -> Result<Self, MotionError> {
         require::finite("the acceleration of gravity", gravity.norm())?;
         Ok(Self { gravity, ..self })
     }

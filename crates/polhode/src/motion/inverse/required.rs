@@ -60,7 +60,7 @@ impl Required {
     /// let dumbbell = Rotor::pivoted(&mass_properties_of_particles(&masses)?, Position::ZERO);
     /// let axis = Direction::new(0.0, alpha.sin(), alpha.cos());
     /// let motion = Prescribed::fixed_axis(Attitude::identity(), axis, omega, 0.0)?;
-    /// let needed = Required::by(&dumbbell, &motion, 0.0)?;
+    /// let needed = Required::of_motion(&dumbbell, &motion, 0.0)?;
     /// let expected = -(m1 + m2) * b * b * omega * omega * alpha.sin() * alpha.cos();
     /// assert!((needed.torque - Torque::new(expected, 0.0, 0.0)).norm() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -70,7 +70,7 @@ impl Required {
     /// The errors of [`Prescribed::at`]. A parameter's error ([`MotionError::is_parameter`]) if a
     /// motor turns a wheel, as part of the work is then done by the motor.
     /// [`MotionError::NotFinite`] if torque, power, energy or momentum exceeds the range of f64.
-    pub fn by(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
+    pub fn of_motion(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
         let (motor, is_driven) =
             (rotor.motor_torque(time).norm(), rotor.wheels().iter().any(Wheel::is_driven));
         require::that(
@@ -116,7 +116,7 @@ impl Required {
     /// Returns the force that a particle of the body, or one fixed to it, requires to follow the
     /// motion.
     pub fn force_on(&self, particle: &Particle<Body>, rotor: &Rotor) -> ParticleForce {
-        ParticleForce::on(particle, rotor.point(), self.state.omega, self.acceleration)
+        ParticleForce::of(particle, rotor.point(), self.state.omega, self.acceleration)
     }
 }
 
@@ -127,7 +127,7 @@ impl ParticleForce {
     /// The sum of r × F over all particles is the torque that the motion requires. The motion does
     /// not determine the distribution of *external* forces: in a rigid body, any set with the same
     /// sum and the same torque has the same effect.
-    pub fn on(
+    pub fn of(
         particle: &Particle<Body>,
         point: Position<Body>,
         omega: AngularVelocity<Body>,
@@ -159,8 +159,8 @@ mod tests {
         let pivot = Position::new(0.2, -0.4, 0.6);
         let rotor = Rotor::pivoted(&mass_properties_of_particles(&particles).unwrap(), pivot);
         let motion = Prescribed::euler_rates([0.4, 0.9, -1.2], [0.7, -0.3, 2.1]).unwrap();
-        let needed = Required::by(&rotor, &motion, 0.8).unwrap();
-        let forces = particles.map(|p| ParticleForce::on(&p, pivot, needed.state.omega, needed.acceleration));
+        let needed = Required::of_motion(&rotor, &motion, 0.8).unwrap();
+        let forces = particles.map(|p| ParticleForce::of(&p, pivot, needed.state.omega, needed.acceleration));
         let sum = forces.iter().fold(Torque::ZERO, |sum, f| sum + f.torque);
         assert!((sum - needed.torque).norm() < 1e-13 * needed.torque.norm());
         for (f, p) in forces.iter().zip(particles) {
@@ -180,10 +180,10 @@ mod tests {
         let rotor = Rotor::free(&mass_properties_of_particles(&particles).unwrap());
         let axis: Direction<Body> = rotor.principal().axis(2);
         let motion = Prescribed::fixed_axis(Attitude::identity(), axis, 5.0, 0.0).unwrap();
-        assert!(Required::by(&rotor, &motion, 1.0).unwrap().torque.norm() < 1e-14);
+        assert!(Required::of_motion(&rotor, &motion, 1.0).unwrap().torque.norm() < 1e-14);
         let spin_up = Prescribed::fixed_axis(Attitude::identity(), axis, 5.0, 0.3).unwrap();
         let i3 = rotor.principal().moments()[2];
         let expected: Torque<Body> = axis.as_quantity() * (0.3 * i3);
-        assert!((Required::by(&rotor, &spin_up, 1.0).unwrap().torque - expected).norm() < 1e-13);
+        assert!((Required::of_motion(&rotor, &spin_up, 1.0).unwrap().torque - expected).norm() < 1e-13);
     }
 }

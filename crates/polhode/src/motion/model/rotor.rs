@@ -53,7 +53,7 @@ impl Rotor {
 
     fn about(body: &MassProperties<Body>, point: Position<Body>, pivoted: bool) -> Self {
         let inertia = body.inertia_about(point);
-        let principal = PrincipalFrame::about(&inertia);
+        let principal = PrincipalFrame::about_pivot(&inertia);
         Self {
             mass: body.mass(),
             inertia,
@@ -83,7 +83,7 @@ impl Rotor {
                     .map_err(|_| MotionError::ParameterOutOfRange { parameter, value, rule })?;
             }
         }
-        self.principal = PrincipalFrame::about(&self.inertia);
+        self.principal = PrincipalFrame::about_pivot(&self.inertia);
         let [least, _, greatest] = self.principal.moments();
         let rule = "above zero: a wheel turns the body, and a rod has nothing to balance it with";
         let holds = wheels.is_empty() || least > MASSLESS * greatest;
@@ -96,7 +96,7 @@ impl Rotor {
     /// unphysical.
     pub(crate) fn with_inertia(&self, inertia: Symmetric3, lever: Position<Body>) -> Option<Self> {
         let inertia = InertiaAbout::from_symmetric(self.inertia.point(), inertia).ok()?;
-        Some(Self { principal: PrincipalFrame::about(&inertia), inertia, lever, ..self.clone() })
+        Some(Self { principal: PrincipalFrame::about_pivot(&inertia), inertia, lever, ..self.clone() })
     }
 
     /// Returns the momentum wheels.

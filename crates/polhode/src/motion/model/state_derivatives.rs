@@ -104,7 +104,7 @@ impl StateDerivatives {
     /// // The mesh moved as a whole turns as it did.
     /// assert!(by_vertices.iter().map(|by| by[0]).sum::<f64>().abs() < 1e-13);
     /// // Nor does a denser solid turn otherwise.
-    /// let by_density = after.by_mass_properties(&rotor)[3].in_part().along(&solid.by_density());
+    /// let by_density = after.by_mass_properties(&rotor)[3].in_part().derivative_along(&solid.by_density());
     /// assert!(by_density.abs() < 1e-13);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

@@ -63,9 +63,9 @@ impl Sample {
     /// Computes the sample of a prescribed motion, with the torque that it requires.
     ///
     /// # Errors
-    /// Those of [`Sample::of`], and of [`Required::by`].
+    /// Those of [`Sample::of`], and of [`Required::of_motion`].
     pub(crate) fn of_prescribed(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
-        let needed = Required::by(rotor, motion, time)?;
+        let needed = Required::of_motion(rotor, motion, time)?;
         let balanced = Balanced { state: needed.state, work: 0.0, impulse: AngularMomentum::ZERO };
         let sample = Self::of(rotor, core::iter::empty(), None, balanced)?;
         Self { torque: needed.torque, ..sample }.finite()

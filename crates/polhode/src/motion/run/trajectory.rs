@@ -134,7 +134,7 @@ impl Trajectory {
     ///
     /// # Errors
     /// A parameter error ([`MotionError::is_parameter`]) if times are out of order. Otherwise the
-    /// errors of [`Required::by`](crate::motion::Required::by).
+    /// errors of [`Required::of_motion`](crate::motion::Required::of_motion).
     pub fn prescribed(rotor: &Rotor, motion: &Prescribed, times: &[f64]) -> Result<Self, MotionError> {
         require_ascending(f64::NEG_INFINITY, times)?;
         let first = Sample::of_prescribed(rotor, motion, times.first().copied().unwrap_or(0.0))?;

@@ -21,9 +21,9 @@ impl Scenario {
     /// use polhode::prelude::*;
     /// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 2.5])?)?;
     /// let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.5)));
-    /// let scenario = Scenario::new(body).under([torque])?.sampled(Run::evenly(2.0, 3, Method::Auto, 1e-13));
+    /// let scenario = Scenario::new(body).with_torques([torque])?.sampled(Run::evenly(2.0, 3, Method::Auto, 1e-13));
     /// let first = scenario.simulate().ok_or("it has a run")??;
-    /// let second = scenario.after(&first, vec![2.0, 10.0])?.simulate().ok_or("it has a run")??;
+    /// let second = scenario.continued_after(&first, vec![2.0, 10.0])?.simulate().ok_or("it has a run")??;
     /// assert!((second.samples()[1].state.omega.z - 0.5 * 10.0 / 2.5).abs() < 1e-13);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -32,7 +32,7 @@ impl Scenario {
     /// [`MotionError::NotContinued`] if the motion failed, or for a body on the ground or in
     /// gimbals, whose state is more than attitude and ω. The errors of
     /// [`MassHistory::at`](crate::motion::MassHistory::at).
-    pub fn after(&self, motion: &Trajectory, times: Vec<f64>) -> Result<Self, MotionError> {
+    pub fn continued_after(&self, motion: &Trajectory, times: Vec<f64>) -> Result<Self, MotionError> {
         let none = |why| Err(MotionError::NotContinued { why });
         match self.mechanism() {
             Mechanism::Ground(_) => {

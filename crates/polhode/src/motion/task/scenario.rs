@@ -39,7 +39,7 @@ use crate::motion::run::simulation::Simulation;
 /// let scenario = Scenario::new(body)
 ///     .held_at(Position::ZERO)?
 ///     .starting(State { time: 0.0, attitude: Attitude::identity(), omega })?
-///     .under([TorqueModel::Gravity(UniformGravity::STANDARD)])?
+///     .with_torques([TorqueModel::Gravity(UniformGravity::STANDARD)])?
 ///     .sampled(Run::evenly(2.0, 201, Method::Auto, 1e-13));
 /// let motion = scenario.simulate().ok_or("it has a run")??;
 /// assert_eq!(motion.samples().len(), 201);
@@ -175,7 +175,7 @@ impl Scenario {
     /// let history = MassHistory::new(&rows, Outflow::None)?;
     /// let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, 0.2)));
     /// let run = Run { times: vec![2.0, 4.0], method: Method::Auto, tolerance: 1e-13 };
-    /// let scenario = Scenario::new(ball(1.0)?).under([torque])?.changing(history)?.sampled(run);
+    /// let scenario = Scenario::new(ball(1.0)?).with_torques([torque])?.changing(history)?.sampled(run);
     /// let motion = scenario.simulate().ok_or("it has a run")??;
     /// let rates = motion.samples().iter().map(|sample| sample.state.omega.z);
     /// assert!(rates.zip([1.0, 3.0]).all(|(rate, want)| (rate - want).abs() < 1e-13));
@@ -284,7 +284,7 @@ impl Scenario {
     ///
     /// # Errors
     /// [`MotionError::Exclusive`] for a prescribed motion or a shaft.
-    pub fn under<T: Into<ActingTorque>>(
+    pub fn with_torques<T: Into<ActingTorque>>(
         self,
         torques: impl IntoIterator<Item = T>,
     ) -> Result<Self, MotionError> {

@@ -69,7 +69,7 @@ impl OrbitalEquilibrium {
     ///
     /// # Errors
     /// [`MotionError::NotSteady`] if there is none, for example if another torque is not constant
-    /// relative to the orbit; otherwise the errors of [`SmallOscillations::about`].
+    /// relative to the orbit; otherwise the errors of [`SmallOscillations::about_equilibrium`].
     pub fn all(
         rotor: &Rotor,
         torques: &[TorqueModel],

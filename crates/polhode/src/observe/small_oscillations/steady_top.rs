@@ -78,7 +78,7 @@ impl SteadyTop {
     ///
     /// # Errors
     /// [`MotionError::NoClosedForm`] for a body that is not a symmetric top, as in
-    /// [`HeavyTop::of`]; otherwise the errors of [`SmallOscillations::about`].
+    /// [`HeavyTop::of`]; otherwise the errors of [`SmallOscillations::about_equilibrium`].
     pub fn with_momenta_of(
         rotor: &Rotor,
         gravity: &UniformGravity,
@@ -139,14 +139,14 @@ impl SteadyTop {
         let torques = [TorqueModel::Gravity(*gravity)];
         let top = HeavyTop::of(rotor, gravity, state)?;
         let oscillations = if angle == 0.0 || angle == core::f64::consts::PI {
-            SmallOscillations::about(rotor, &torques, state)?
+            SmallOscillations::about_equilibrium(rotor, &torques, state)?
         } else {
             let [_, along] = top.moments();
             let h = along * (spin - precession * libm::cos(angle));
             let wheel = Wheel::new(axis(rotor), h, Motor::HeldSpeed)?;
             let omega = (vertical(gravity, &state) * precession).as_quantity();
             let gyrostat = rotor.clone().with_wheels(&[wheel])?;
-            SmallOscillations::about(&gyrostat, &torques, State { omega, ..state })?
+            SmallOscillations::about_equilibrium(&gyrostat, &torques, State { omega, ..state })?
         };
         let path = match angle {
             0.0 => TopPath::Sleeping { stable: spin.abs() >= top.sleeping_threshold() },

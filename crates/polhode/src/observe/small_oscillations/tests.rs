@@ -13,13 +13,14 @@ fn on_orbit(moments: [f64; 3], n: f64) -> Result<SmallOscillations, MotionError>
     let rotor = Rotor::free(&body);
     // The frame rotates about y: at t = 0 its axes are those of space, with z along the radius.
     let torque = move |rotor: &Rotor, state: &State| -> Torque<Body> {
-        let orbit = Rotation::<Space, Space>::about(Direction::new(0.0, 1.0, 0.0), n * state.time).unwrap();
+        let orbit =
+            Rotation::<Space, Space>::from_axis_angle(Direction::new(0.0, 1.0, 0.0), n * state.time).unwrap();
         let r = state.attitude.inverse() * (orbit * Direction::<Space>::new(0.0, 0.0, 1.0));
         let ir = rotor.inertia().symmetric().apply(r.to_array());
         Torque::from_array(r.cross(Direction::from_array(ir)).to_array()) * (3.0 * n * n)
     };
     let state = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, n, 0.0) };
-    SmallOscillations::about(&rotor, &[TorqueModel::function("gradient", torque)], state)
+    SmallOscillations::about_equilibrium(&rotor, &[TorqueModel::function("gradient", torque)], state)
 }
 
 /// Both sides are derived independently: Hughes's scalar equations, and the linear equations in the
@@ -47,7 +48,7 @@ fn a_state_that_does_not_last_is_refused() {
     let state =
         State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.1, 0.0) };
     assert!(matches!(
-        SmallOscillations::about(&rotor, &[torque], state).map(|_| ()),
+        SmallOscillations::about_equilibrium(&rotor, &[torque], state).map(|_| ()),
         Err(MotionError::NotSteady { .. })
     ));
 }

@@ -64,7 +64,7 @@ impl PermanentRotation {
     /// // Explorer 1: spun about its long axis, of least moment, it goes over to a flat spin.
     /// let inertia = InertiaTensor::diagonal([5.0, 5.0, 0.2])?;
     /// let body = Rotor::free(&MassProperties::new(14.0, Position::ZERO, inertia)?);
-    /// let spin = PermanentRotation::about(&body, AngularVelocity::new(0.0, 0.0, 10.0))?;
+    /// let spin = PermanentRotation::of(&body, AngularVelocity::new(0.0, 0.0, 10.0))?;
     /// assert!(matches!(spin.stability, Stability::Stable { .. }));
     /// let DissipativeLimit::Leaves { rate, .. } = spin.with_friction(&EnergySink::new(0.002)?) else { return Err("it stays".into()) };
     /// assert!((rate - 0.002 * 4.0 * (1.0 / 0.2 - 1.0 / 5.0)).abs() < 1e-15); // α L² (1/I − 1/J)

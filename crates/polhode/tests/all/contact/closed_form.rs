@@ -53,7 +53,8 @@ fn a_ball_on_a_turntable_runs_in_circles() {
     let ground = Ground::LEVEL.turning_at(rate).unwrap();
     let contact = Contact { ground, ..Contact::rolling(surface(sphere(), [0.0; 3])) };
     let at = Position::new(0.4, -0.1, 0.0);
-    let attitude = Rotation::about(Direction::new(0.3, 0.5, -0.7).direction().unwrap(), 1.1).unwrap();
+    let attitude =
+        Rotation::from_axis_angle(Direction::new(0.3, 0.5, -0.7).direction().unwrap(), 1.1).unwrap();
     let omega: AngularVelocity<Body> = attitude.inverse() * AngularVelocity::new(1.9, -0.8, 0.6);
     let start = ContactStart { at, ..ContactStart::rolling(state(attitude, omega.to_array())) };
     let period = TAU / (2.0 / 7.0 * rate);
@@ -77,7 +78,7 @@ fn a_ball_rolls_down_an_incline_or_slips() {
     let slope = 0.6_f64;
     let normal = Direction::new(slope.sin() * 0.6, slope.sin() * 0.8, slope.cos());
     let ground = Ground::new(GroundShape::Plane, normal).unwrap();
-    let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), 0.4).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), 0.4).unwrap();
     let start = ContactStart::rolling(state(attitude, [0.0; 3]));
     let limit = 2.0 / 7.0 * slope.tan();
     for (mu, acceleration) in [
@@ -239,7 +240,7 @@ fn a_disk_rolls_in_a_circle() {
     let (sin, cos) = (theta.sin(), theta.cos());
     let spin = (a * precession * cos - mass * G * r * cos / (precession * sin)) / (c + mass * r * r);
     // The axis is inclined towards −y: the lowest point is at −x' in the plane of the inclination.
-    let attitude: Attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), theta).unwrap();
+    let attitude: Attitude = Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), theta).unwrap();
     let axis: Direction<Space> = attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
     let up = Direction::<Space>::new(0.0, 0.0, 1.0);
     // ω = Ω (z − cos θ e) + s e
@@ -269,7 +270,7 @@ fn a_cylinder_rolls_about_its_axis_alone() {
     let inertia = InertiaTensor::diagonal([0.06, 0.06, moment]).unwrap();
     let body = MassProperties::new(2.0, Position::ZERO, inertia).unwrap();
     // The axis z of the body is along y of space.
-    let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), -FRAC_PI_2).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), -FRAC_PI_2).unwrap();
     let shape = SurfaceShape::Cylinder { radius: RADIUS, length: Some(0.5) };
     let contact = Contact { ground, ..Contact::rolling(surface(shape, [0.0; 3])) };
     let start = ContactStart::rolling(state(attitude, [0.0; 3]));
@@ -278,7 +279,7 @@ fn a_cylinder_rolls_about_its_axis_alone() {
     assert!(motion.energy_drift() < 1e-15);
     // The axis is 0.2 rad from the level line, so gravity has a component along it. The cylinder
     // does not tip over while the line of the force passes within its length.
-    let turned: Attitude = Rotation::about(normal, 1.3).unwrap() * attitude;
+    let turned: Attitude = Rotation::from_axis_angle(normal, 1.3).unwrap() * attitude;
     let short = SurfaceShape::Cylinder { radius: RADIUS, length: Some(0.1) };
     for (shape, tips) in [(shape, false), (short, true)] {
         let contact = Contact { ground, ..Contact::rolling(surface(shape, [0.0; 3])) };
@@ -295,7 +296,7 @@ fn without_friction_nothing_pushes_along_the_ground() {
     let shape = SurfaceShape::Ellipsoid { semi_axes: [0.3, 0.25, 0.2] };
     let contact =
         Contact { law: ContactLaw::FRICTIONLESS, ..Contact::rolling(surface(shape, [0.02, -0.03, 0.04])) };
-    let attitude = Rotation::about(Direction::new(0.6, 0.0, 0.8), 0.9).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(0.6, 0.0, 0.8), 0.9).unwrap();
     let velocity = StartVelocity::Along(Velocity::new(0.7, -0.4, 0.0));
     let start = ContactStart { velocity, ..ContactStart::rolling(state(attitude, [1.1, -0.7, 2.3])) };
     let body = generic_body();

@@ -11,7 +11,7 @@ use crate::common::held::Held;
 use super::{generic_body, near, run, state, surface};
 
 fn attitude() -> Attitude {
-    Rotation::about(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap()
+    Rotation::from_axis_angle(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap()
 }
 
 /// Returns L about the point of contact, space axes.
@@ -51,7 +51,7 @@ fn a_tippe_top_keeps_jelletts_constant() {
     let friction = Friction { sticking: 0.35, kinetic: 0.3, viscous: 0.02 };
     let law = ContactLaw::with_friction(friction).unwrap();
     let contact = Contact { law, ..Contact::rolling(surface(shape, [0.0, 0.0, 0.006])) };
-    let tilted = Rotation::about(Direction::new(1.0, 0.0, 0.0), 0.3).unwrap();
+    let tilted = Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), 0.3).unwrap();
     let velocity = StartVelocity::Along(Velocity::new(0.1, -0.05, 0.0));
     let start = ContactStart { velocity, ..ContactStart::rolling(state(tilted, [0.5, 2.0, 90.0])) };
     let times: Vec<f64> = (0..=20).map(|k| 0.2 * f64::from(k)).collect();
@@ -124,7 +124,7 @@ fn a_rolling_disk_keeps_the_two_constants_of_its_tilt() {
         MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, c]).unwrap()).unwrap();
     let contact =
         Contact::rolling(surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 0.0 }, [0.0; 3]));
-    let tilted = Rotation::about(Direction::new(0.48, 0.6, 0.0), 1.1).unwrap();
+    let tilted = Rotation::from_axis_angle(Direction::new(0.48, 0.6, 0.0), 1.1).unwrap();
     let start = ContactStart::rolling(state(tilted, [1.9, -1.4, 3.5]));
     let times: Vec<f64> = (0..=100).map(f64::from).collect();
     let motion = run(&body, &contact, start, &times);

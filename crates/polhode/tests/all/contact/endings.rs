@@ -30,7 +30,7 @@ fn what_lands_touches_the_ground() {
         SurfaceShape::Rim { radius: 0.1, tube: 0.0, thickness: 0.0 },
         SurfaceShape::Rim { radius: 0.1, tube: 0.02, thickness: 0.0 },
     ];
-    let attitude = Rotation::about(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
     for shape in shapes {
         let mut landed = 0;
         for omega in [[3.0, 25.0, 5.0], [60.0, 1.0, 20.0], [20.0, -30.0, 10.0]] {
@@ -56,7 +56,7 @@ fn friction_stops_pivoting_and_rolling() {
     let (a, levers, rates) = (0.3, Resistance { rolling: 0.004, pivoting: 0.003 }, [2.5, 1.9]);
     let law = ContactLaw::ROLLING.resisted_by(levers).unwrap();
     let contact = Contact { law, ..Contact::rolling(surface(SurfaceShape::Sphere { radius: a }, [0.0; 3])) };
-    let attitude = Rotation::about(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
     let omega: AngularVelocity<Body> =
         attitude.inverse() * AngularVelocity::new(0.6 * rates[0], -0.8 * rates[0], rates[1]);
     let motion = run(&ball(a), &contact, ContactStart::rolling(state(attitude, omega.to_array())), &[100.0]);
@@ -77,7 +77,8 @@ fn friction_stops_pivoting_and_rolling() {
 /// pivoting, or if the ground turns below it.
 #[test]
 fn a_cylinder_that_would_not_keep_its_axis_is_refused() {
-    let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), -core::f64::consts::FRAC_PI_2).unwrap();
+    let attitude =
+        Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), -core::f64::consts::FRAC_PI_2).unwrap();
     let start = ContactStart::rolling(state(attitude, [0.0, 0.0, 2.0]));
     let rolling = Contact::rolling(surface(SurfaceShape::Cylinder { radius: 0.3, length: None }, [0.0; 3]));
     let symmetric =
@@ -111,7 +112,7 @@ fn a_disk_that_falls_over_lies_flat() {
     let axes = [Direction::new(0.6, 0.8, 0.0), Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0)];
     let laws = [ContactLaw::ROLLING, ContactLaw::FRICTIONLESS];
     for (axis, law) in axes.into_iter().flat_map(|axis| laws.map(|law| (axis, law))) {
-        let attitude = Rotation::about(axis, tilt).unwrap();
+        let attitude = Rotation::from_axis_angle(axis, tilt).unwrap();
         let start = ContactStart::rolling(state(attitude, [0.0; 3]));
         let motion = run(&body, &Contact { law, ..Contact::rolling(rim) }, start, &[10.0]);
         assert_eq!(ended_by(&motion), Some(ContactChange::LiesFlat));
@@ -132,7 +133,8 @@ fn a_thick_disk_falls_back_onto_its_other_rim() {
         MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, 0.0507]).unwrap()).unwrap();
     let lean = 0.15_f64;
     let attitude =
-        Rotation::about(Direction::new(0.6, 0.8, 0.0), core::f64::consts::FRAC_PI_2 - lean).unwrap();
+        Rotation::from_axis_angle(Direction::new(0.6, 0.8, 0.0), core::f64::consts::FRAC_PI_2 - lean)
+            .unwrap();
     let start = ContactStart::rolling(state(attitude, [0.0; 3]));
     let rim = surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 2.0 * half }, [0.0; 3]);
     let motion = run(&body, &Contact::rolling(rim), start, &[10.0]);
@@ -143,7 +145,7 @@ fn a_thick_disk_falls_back_onto_its_other_rim() {
     near(end.state.omega.norm().powi(2), 2.0 * mass * G * fallen / moment, 1e-10);
     near(end.center.z, radius, 1e-12);
     // A disk inclined beyond its base falls onto its face.
-    let attitude = Rotation::about(Direction::new(0.6, 0.8, 0.0), 1.2).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(0.6, 0.8, 0.0), 1.2).unwrap();
     let motion =
         run(&body, &Contact::rolling(rim), ContactStart::rolling(state(attitude, [0.0; 3])), &[10.0]);
     assert_eq!(ended_by(&motion), Some(ContactChange::LiesFlat));
@@ -163,7 +165,7 @@ fn a_disk_that_falls_over_in_a_bowl_osculates() {
     let ground = Ground::new(ground, Direction::new(0.0, 0.0, 1.0)).unwrap();
     let rim = surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 0.0 }, [0.0; 3]);
     let tilt = 1.2_f64;
-    let attitude = Rotation::about(Direction::new(0.6, 0.8, 0.0), tilt).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(0.6, 0.8, 0.0), tilt).unwrap();
     let start = ContactStart {
         at: Position::new(0.0, 0.0, -bowl),
         ..ContactStart::rolling(state(attitude, [0.0; 3]))
@@ -191,7 +193,7 @@ fn a_ball_is_held_from_pivoting_and_pivots_anew() {
     let law = ContactLaw::ROLLING.resisted_by(levers).unwrap();
     let contact =
         Contact { law, ..Contact::rolling(surface(SurfaceShape::Sphere { radius: 0.2 }, [0.0; 3])) };
-    let attitude = Rotation::about(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
     let start = ContactStart::rolling(state(attitude, [5.0, -3.0, 1.0]));
     let times: Vec<f64> = (0..=400).map(|k| 0.01 * f64::from(k)).collect();
     let motion = run(&generic_body(), &contact, start, &times);
@@ -249,7 +251,7 @@ fn states_end_where_the_contact_does() {
         MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, 0.0507]).unwrap()).unwrap();
     let rim = surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 0.0 }, [0.0; 3]);
     let contact = Contact::rolling(rim);
-    let attitude = Rotation::about(Direction::new(0.6, 0.8, 0.0), 1.2).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(0.6, 0.8, 0.0), 1.2).unwrap();
     let start = ContactStart::rolling(state(attitude, [0.0; 3]));
     let times = [0.0, 0.1, 0.2];
     let simulation = Simulation::on_ground(&body, &contact, start, &times);

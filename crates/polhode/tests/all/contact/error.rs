@@ -12,7 +12,7 @@ fn motion(contact: Contact, tolerance: f64, end: f64) -> Trajectory {
 }
 
 fn motion_of(omega: [f64; 3], contact: Contact, tolerance: f64, end: f64) -> Trajectory {
-    let attitude = Rotation::about(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap();
     let ground = GroundContact { contact, at: Position::ZERO, velocity: StartVelocity::Rolling };
     let scenario = Scenario::new(generic_body()).starting(state(attitude, omega)).unwrap();
     let scenario = scenario.on_ground(ground).unwrap();

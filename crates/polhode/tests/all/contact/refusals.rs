@@ -61,7 +61,7 @@ fn bodies_and_grounds_that_cannot_be_are_refused() {
     let at = Position::new(0.0, 0.0, -0.44);
     assert!(refused(&generic_body(), contact, ContactStart { at, ..start }).contains("more than one point"));
     let thick = surface(SurfaceShape::Rim { radius: 0.2, tube: 0.0, thickness: 0.02 }, [0.0; 3]);
-    let upright = Rotation::about(Direction::new(1.0, 0.0, 0.0), FRAC_PI_2).unwrap();
+    let upright = Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), FRAC_PI_2).unwrap();
     // An exact right angle: the axis of the disk is along x.
     let exact = Rotation::from_matrix([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).unwrap();
     let stands = ContactStart::rolling(state(exact, [0.0, 0.0, 3.0]));
@@ -71,7 +71,7 @@ fn bodies_and_grounds_that_cannot_be_are_refused() {
     let round = MassProperties::new(2.0, Position::ZERO, round).unwrap();
     let across = ContactStart::rolling(state(upright, [0.0, 0.5, 3.0]));
     assert!(refused(&round, Contact::rolling(lying), across).contains("its own axis alone"));
-    let tilted = Rotation::about(Direction::new(1.0, 0.0, 0.0), 1.2).unwrap();
+    let tilted = Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), 1.2).unwrap();
     let tilted = ContactStart::rolling(state(tilted, [0.0, 0.0, 3.0]));
     assert!(refused(&round, Contact::rolling(lying), tilted).contains("the tilt of a lying cylinder"));
     let needle = InertiaTensor::diagonal([0.1, 0.1, 0.0]).unwrap();
@@ -115,7 +115,7 @@ fn painleves_paradox_is_named() {
     let friction = Friction { sticking: 1.8, kinetic: 1.8, viscous: 0.0 };
     let contact = Contact { law: ContactLaw::with_friction(friction).unwrap(), ..Contact::rolling(rod) };
     // The x axis is at 0.95 rad from the level, its upper end towards +x.
-    let attitude = Rotation::about(Direction::new(0.0, 1.0, 0.0), -0.95).unwrap();
+    let attitude = Rotation::from_axis_angle(Direction::new(0.0, 1.0, 0.0), -0.95).unwrap();
     let start = |v: f64| ContactStart {
         velocity: StartVelocity::Along(Velocity::new(v, 0.0, 0.0)),
         ..ContactStart::rolling(state(attitude, [0.0; 3]))
@@ -139,7 +139,7 @@ fn what_acts_on_no_body_on_the_ground_is_refused() {
         Err(MotionError::Exclusive { parts: ["contact", "pivot"], .. })
     ));
     let torque = TorqueModel::Gravity(UniformGravity::STANDARD);
-    assert!(free().under([torque]).unwrap().on_ground(ground).is_err());
+    assert!(free().with_torques([torque]).unwrap().on_ground(ground).is_err());
     let energy = Event::new("e", Measure::TotalEnergy, 1.0, Sense::Either, EventAction::Record).unwrap();
     assert!(free().watching(vec![energy]).unwrap().on_ground(ground).is_err());
     let rate = Event::new("slow", Measure::Rate, 0.5, Sense::Falling, EventAction::Stop).unwrap();

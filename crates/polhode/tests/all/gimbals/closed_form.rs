@@ -37,7 +37,7 @@ fn a_symmetric_rotor_in_massless_gimbals_is_a_heavy_top() {
     let axes = free([0.3, -0.5, 1.1], [0.4, 0.7, 60.0]);
     let gimbals = Gimbals::new(Direction::new(0.3, 0.1, 1.0), Direction::new(0.1, -0.3, 0.0), axes).unwrap();
     let gravity = TorqueModel::Gravity(UniformGravity { acceleration: GRAVITY });
-    assert_as_held_at_a_point(&rotor, &gimbals.under(GRAVITY).unwrap(), &[gravity]);
+    assert_as_held_at_a_point(&rotor, &gimbals.with_gravity(GRAVITY).unwrap(), &[gravity]);
 }
 
 #[test]
@@ -46,7 +46,8 @@ fn an_asymmetric_rotor_in_massless_gimbals_is_free_though_the_base_turns() {
     let axes = free([0.3, -0.5, 1.1], [0.4, 0.7, 5.0]);
     let gimbals = Gimbals::new(Direction::new(0.1, 0.4, 1.0), Direction::new(0.4, -0.1, 0.0), axes).unwrap();
     let base = Base::turning(AngularVelocity::new(0.3, -0.2, 0.5)).unwrap();
-    let gimbals = gimbals.holding(rotor.center_of_mass(), Direction::new(0.5, -0.3, 0.8)).unwrap().on(base);
+    let gimbals =
+        gimbals.holding(rotor.center_of_mass(), Direction::new(0.5, -0.3, 0.8)).unwrap().with_base(base);
     assert_as_held_at_a_point(&rotor, &gimbals, &[]);
 }
 
@@ -61,7 +62,7 @@ fn assert_period_of_compass(turning: f64, spin: f64, amplitude: f64, tolerance: 
         (balanced([0.004, 0.005, 0.003], [0.0; 3]), balanced([0.002, 0.003, 0.0025], [0.0; 3]));
     let (s, cosine) = latitude.sin_cos();
     let base = Base::turning(AngularVelocity::new(0.0, turning * cosine, turning * s)).unwrap();
-    let gimbals = upright(axes).on(base).with_mass(outer, inner);
+    let gimbals = upright(axes).with_base(base).with_mass(outer, inner);
     let north = turning * cosine;
     // Along the axes of the base at zero angles: x the inner axis, y the rotor's, z up.
     let (about, across, along) = (a + 0.003 + 0.0025, a + 0.004 + 0.002, 0.005 + 0.003);
@@ -125,7 +126,7 @@ fn a_heavy_gyroscope_in_gimbals_with_mass_precesses_steadily() {
     let s = elevation.sin();
     let spin = (mass * 9.80665 * height / rate + (about + 0.0025 - 0.0035) * s * rate) / c - rate * s;
     let axes = free([0.1, elevation, 0.3], [rate, 0.0, spin]);
-    let gimbals = upright(axes).with_mass(outer, inner).under(GRAVITY).unwrap();
+    let gimbals = upright(axes).with_mass(outer, inner).with_gravity(GRAVITY).unwrap();
     let motion = run(&rotor, &gimbals, &[1.0, 10.0]);
     for sample in motion.samples() {
         near(sample.angles[1], elevation, 1e-12);

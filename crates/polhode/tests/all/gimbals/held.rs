@@ -24,7 +24,7 @@ fn locks_hold_what_turns_with_the_base() {
     let omega = AngularVelocity::<Space>::new(1.1, -0.7, 2.3);
     let gimbals = upright(axes)
         .holding(Position::ZERO, Direction::new(0.2, -0.1, 1.0))
-        .and_then(|gimbals| gimbals.on(Base::turning(omega)?).under(GRAVITY))
+        .and_then(|gimbals| gimbals.with_base(Base::turning(omega)?).with_gravity(GRAVITY))
         .unwrap()
         .with_mass(Gimbal::MASSLESS, Gimbal::pendulous(&inner_mass.unwrap()));
     let motion = run(&rotor, &gimbals, &[0.0, 2.0]);
@@ -43,7 +43,10 @@ fn locks_hold_what_turns_with_the_base() {
     let end = &motion.samples()[1];
     assert_eq!(end.angles, angles);
     end.holding.iter().zip(start.holding).for_each(|(end, start)| near(*end, start, 1e-15));
-    let turned = Rotation::<Space, Space>::about(Direction::from_array(omega.to_array()), 2.0 * omega.norm());
+    let turned = Rotation::<Space, Space>::from_axis_angle(
+        Direction::from_array(omega.to_array()),
+        2.0 * omega.norm(),
+    );
     assert!((turned.unwrap() * start.state.attitude).angle_to(end.state.attitude) < 1e-15);
 }
 
@@ -74,7 +77,7 @@ fn a_motor_keeps_the_rate_of_an_asymmetric_rotor() {
     let axes = [Axis::free(0.3, 0.4), Axis::free(-0.5, 0.7), Axis::driven(0.2, 20.0)].map(Result::unwrap);
     let gimbals = upright(axes)
         .with_mass(balanced([0.004, 0.005, 0.006], [0.0005, -0.0004, 0.0003]), Gimbal::MASSLESS)
-        .under(GRAVITY)
+        .with_gravity(GRAVITY)
         .unwrap();
     let times: Vec<f64> = (1..=20).map(|k| 0.1 * f64::from(k)).collect();
     let motion = run(&rotor, &gimbals, &times);
@@ -109,11 +112,11 @@ fn massless_gimbals_lock_and_end_the_motion() {
 #[test]
 fn turned_zeros_of_the_angles_are_the_same_motion() {
     let rotor = generic_rotor();
-    let first = upright(free([0.3, -0.5, 1.1], [0.4, 0.7, 5.0])).under(GRAVITY).unwrap();
+    let first = upright(free([0.3, -0.5, 1.1], [0.4, 0.7, 5.0])).with_gravity(GRAVITY).unwrap();
     let (s, c) = 0.3_f64.sin_cos();
     let axes = free([0.0, -0.5, 1.1], [0.4, 0.7, 5.0]);
     let second = Gimbals::new(Direction::new(0.0, 0.0, 2.0), Direction::new(c, s, 0.0), axes).unwrap();
-    let second = second.under(GRAVITY).unwrap();
+    let second = second.with_gravity(GRAVITY).unwrap();
     let [a, b] = [first, second].map(|gimbals| run(&rotor, &gimbals, &[1.5]).samples()[0]);
     assert!(a.state.attitude.angle_to(b.state.attitude) < 1e-13);
     near(a.angles[0], b.angles[0] + 0.3, 1e-13);

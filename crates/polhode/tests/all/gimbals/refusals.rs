@@ -36,7 +36,7 @@ fn numbers_out_of_range_are_refused() {
         gimbals.holding(Position::new(f64::NAN, 0.0, 0.0), Direction::new(0.0, 0.0, 1.0)),
         "the crossing",
     );
-    refused(gimbals.under(Acceleration::new(0.0, f64::NAN, 0.0)), "gravity");
+    refused(gimbals.with_gravity(Acceleration::new(0.0, f64::NAN, 0.0)), "gravity");
     let rotor = generic_rotor();
     refused(Simulation::in_gimbals(&rotor, &gimbals, 1.0, &[0.5]).run(), "");
     refused(

@@ -11,7 +11,11 @@ fn gimbals() -> Gimbals {
     let base = Base::turning(AngularVelocity::new(0.3, -0.2, 0.5)).unwrap();
     let outer = balanced([0.004, 0.005, 0.006], [0.0005, -0.0004, 0.0003]);
     let inner = balanced([0.002, 0.003, 0.0025], [0.0; 3]);
-    upright(free([0.3, -0.5, 1.1], [0.4, 0.7, 8.0])).on(base).with_mass(outer, inner).under(GRAVITY).unwrap()
+    upright(free([0.3, -0.5, 1.1], [0.4, 0.7, 8.0]))
+        .with_base(base)
+        .with_mass(outer, inner)
+        .with_gravity(GRAVITY)
+        .unwrap()
 }
 
 fn motion(tolerance: f64) -> Trajectory {
@@ -83,11 +87,11 @@ fn what_does_not_go_with_gimbals_is_refused() {
     let refusals = [
         hung().starting(state),
         hung().held_at(Position::ZERO),
-        hung().under([gravity.clone()]),
+        hung().with_torques([gravity.clone()]),
         hung().moving(velocity),
         Scenario::new(generic_rotor()).held_at(Position::ZERO).unwrap().in_gimbals(gimbals()),
         Scenario::new(generic_rotor()).moving(velocity).unwrap().in_gimbals(gimbals()),
-        Scenario::new(generic_rotor()).under([gravity]).unwrap().in_gimbals(gimbals()),
+        Scenario::new(generic_rotor()).with_torques([gravity]).unwrap().in_gimbals(gimbals()),
     ];
     for refusal in refusals {
         assert!(matches!(refusal, Err(MotionError::Exclusive { .. })), "{refusal:?}");

@@ -46,7 +46,7 @@ fn error_of(case: &Table) -> f64 {
     let base = Base::turning(AngularVelocity::from_array(triple("base_rate"))).unwrap();
     let gimbals = gimbals
         .holding(crossing, axis)
-        .and_then(|gimbals| gimbals.on(base).under(Acceleration::from_array(triple("gravity"))))
+        .and_then(|gimbals| gimbals.with_base(base).with_gravity(Acceleration::from_array(triple("gravity"))))
         .unwrap()
         .with_mass(gimbal(case, "outer"), gimbal(case, "inner"));
     let rows = cases(case, "row");

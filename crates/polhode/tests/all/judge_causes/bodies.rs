@@ -81,7 +81,7 @@ fn pivoted_torque(q: Q) -> V {
 #[test]
 fn the_tensor_about_the_wrong_point_of_a_top() {
     let top = free().held_at(Position::ZERO).unwrap();
-    let top = top.under([TorqueModel::Gravity(UniformGravity::STANDARD)]).unwrap();
+    let top = top.with_torques([TorqueModel::Gravity(UniformGravity::STANDARD)]).unwrap();
     let log = Equations { torque: pivoted_torque, ..right() }.log();
     require_named(&top, &log, 0.005, |c| *c == Cause::TensorAboutCenterOfMass);
 }

@@ -40,7 +40,7 @@ pub(super) const SPACE_TORQUE: V = [-0.5, 0.4, 0.7];
 pub(super) fn driven() -> Scenario {
     let body = TorqueModel::Constant(ConstantTorque::Body(Torque::from_array(BODY_TORQUE)));
     let space = TorqueModel::Constant(ConstantTorque::Space(Torque::from_array(SPACE_TORQUE)));
-    free().under([body, space]).unwrap()
+    free().with_torques([body, space]).unwrap()
 }
 
 /// Returns the causes found in a log, with or without ω.

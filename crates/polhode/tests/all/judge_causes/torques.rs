@@ -39,7 +39,7 @@ fn wrong_torques() {
         |c| matches!(c, Cause::TorqueScaled { factor } if (factor - 1.02).abs() < 1e-6),
     );
     let space = TorqueModel::Constant(ConstantTorque::Space(Torque::from_array(SPACE_TORQUE)));
-    let scenario = free().under([space]).unwrap();
+    let scenario = free().with_torques([space]).unwrap();
     require_named(&scenario, &log(space_as_body), 0.005, |c| *c == Cause::TorqueSpaceAsBody { torque: None });
 }
 
@@ -84,7 +84,7 @@ fn damping_and_limits() {
 #[test]
 fn gravity_the_wrong_way_and_wheels_left_out() {
     let top = free().held_at(Position::ZERO).unwrap();
-    let top = top.under([TorqueModel::Gravity(UniformGravity::STANDARD)]).unwrap();
+    let top = top.with_torques([TorqueModel::Gravity(UniformGravity::STANDARD)]).unwrap();
     let [x, y, z] = CENTER;
     let r2 = x * x + y * y + z * z;
     let moved = |k: usize, l: usize| MASS * (if k == l { r2 } else { 0.0 } - CENTER[k] * CENTER[l]);

@@ -24,7 +24,7 @@ fn growth(
     omega: [f64; 3],
     time: f64,
 ) -> [f64; 2] {
-    let beside = Rotation::<Space, Space>::about(Direction::new(0.8, 0.6, 0.0), DEPARTURE).unwrap();
+    let beside = Rotation::<Space, Space>::from_axis_angle(Direction::new(0.8, 0.6, 0.0), DEPARTURE).unwrap();
     let steady = steady(body, contact, &start(attitude, omega));
     let is_level = !matches!(steady.path, SteadyPath::OnVertex(_));
     let count = 4000;

@@ -140,8 +140,8 @@ fn upright(axis: Direction<Body>) -> Option<Attitude> {
     let (across, cosine) = (axis.cross(up), axis.dot(up));
     if across.norm() < 1e-12 {
         let half = if cosine > 0.0 { 0.0 } else { std::f64::consts::PI };
-        return Rotation::about(Direction::new(1.0, 0.0, 0.0), half).ok();
+        return Rotation::from_axis_angle(Direction::new(1.0, 0.0, 0.0), half).ok();
     }
     let turn = Direction::from_array(across.to_array());
-    Rotation::about(turn, across.norm().atan2(cosine)).ok()
+    Rotation::from_axis_angle(turn, across.norm().atan2(cosine)).ok()
 }

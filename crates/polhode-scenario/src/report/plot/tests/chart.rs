@@ -34,7 +34,7 @@ fn what_is_rounding_is_drawn_as_nothing() {
 #[test]
 fn a_torque_of_nothing_takes_no_room_in_the_overview() {
     let sink = TorqueModel::EnergySink(EnergySink::new(0.01).unwrap());
-    let scenario = scenario([0.7, -1.1, 0.3]).under([sink]).unwrap();
+    let scenario = scenario([0.7, -1.1, 0.3]).with_torques([sink]).unwrap();
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     assert!(trajectory.samples().iter().all(|s| s.torque == Torque::ZERO));
@@ -159,7 +159,7 @@ fn what_would_be_squashed_has_a_panel_of_its_own() {
     let inertia = InertiaTensor::diagonal([3.1, 4.2, 5.3]).unwrap();
     let body = MassProperties::new(2.3, Position::ZERO, inertia).unwrap();
     let scenario =
-        Scenario::new(body).starting(start).unwrap().under([TorqueModel::Constant(torque)]).unwrap();
+        Scenario::new(body).starting(start).unwrap().with_torques([TorqueModel::Constant(torque)]).unwrap();
     let scenario = scenario.sampled(Run::evenly(13.7, 4001, Method::Auto, 1e-12));
     let trajectory = scenario.simulate().unwrap().unwrap();
     let picture = MotionFigures::of_scenario(&scenario, &trajectory).draw(Figure::Omega).unwrap();

@@ -142,7 +142,7 @@ impl Prescribed {
     /// use polhode::math::{Attitude, Direction};
     /// use polhode::motion::Prescribed;
     /// // Six attitudes of a body that turns about z at 0.7 rad/s: the motion between them is found.
-    /// let turn = |t: f64| Attitude::about(Direction::new(0.0, 0.0, 1.0), 0.7 * t);
+    /// let turn = |t: f64| Attitude::from_axis_angle(Direction::new(0.0, 0.0, 1.0), 0.7 * t);
     /// let times = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0];
     /// let rows = times.iter().map(|t| turn(*t)).collect::<Result<Vec<_>, _>>()?;
     /// let (motion, uncertainty) = Prescribed::attitude_table(&times, &rows)?;

@@ -61,7 +61,7 @@ impl Identify {
             GivenPlan::Text(text) => text,
             GivenPlan::File(plan) => {
                 let message = "--print-plan prints the plan of the options, but this file is already a plan";
-                return Err(Failure::usage(message, "remove --print-plan").about(&plan));
+                return Err(Failure::usage(message, "remove --print-plan").in_file(&plan));
             }
         };
         let request = &self.request;

@@ -81,7 +81,7 @@ impl<'a> Known<'a> {
             start,
             is_free,
             drift: prescribed.is_none().then(|| Drift::of(trajectory)).flatten(),
-            needed: prescribed.and_then(|motion| Needed::of_motion(scenario, motion, trajectory)),
+            needed: prescribed.and_then(|motion| Needed::by(scenario, motion, trajectory)),
             hanging: scenario.pendulum().and_then(Result::ok).map(|p| (p, swing(scenario, &p, &start))),
             heavy_top: heavy_top::of(scenario, start),
         }

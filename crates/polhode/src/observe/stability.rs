@@ -172,7 +172,11 @@ impl PermanentRotation {
         [Some(0.0), last].into_iter().flatten().filter(|&time| is_still(time)).collect()
     }
 
-    fn of_principal(rotor: &Rotor, wheels: AngularMomentum<Principal>, omega: AngularVelocity<Principal>) -> Self {
+    fn of_principal(
+        rotor: &Rotor,
+        wheels: AngularMomentum<Principal>,
+        omega: AngularVelocity<Principal>,
+    ) -> Self {
         let (moments, w, h) = (rotor.principal().moments(), omega.to_array(), wheels.to_array());
         let (mut c, mut scale) = (0.0, 0.0);
         let (mut bend, mut bend_scale) = (0.0, 0.0);

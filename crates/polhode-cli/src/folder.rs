@@ -30,6 +30,12 @@ const OURS: [&str; 9] = [
     "space_cone.csv",
 ];
 
+/// Lists the files written to a folder: `wrote brick/: summary.json, report.html`.
+pub(crate) fn wrote(folder: &Path, names: &[impl AsRef<str>]) -> String {
+    let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+    format!("wrote {}/: {}", shown(folder), names.join(", "))
+}
+
 /// Policy for replacing existing results.
 #[derive(Clone, Debug)]
 pub(crate) enum Replace {

@@ -127,7 +127,7 @@ impl Drawn {
             partial::write(path, *replaces, |out| out.write_all(bytes))?;
             names.push(shown(path));
         }
-        Ok(if names.is_empty() { String::new() } else { format!("wrote {}\n", names.join("  ")) })
+        Ok(if names.is_empty() { String::new() } else { format!("wrote {}\n", names.join(", ")) })
     }
 }
 

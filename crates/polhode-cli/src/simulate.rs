@@ -14,7 +14,7 @@ use polhode_source::shown;
 
 use crate::browser::open;
 use crate::failure::Failure;
-use crate::folder::{Folder, PAGE, Replace};
+use crate::folder::{Folder, PAGE, Replace, wrote};
 use crate::page::{Page, Shown};
 use crate::plot::PlotFlags;
 use crate::progress::Progress;
@@ -131,16 +131,16 @@ impl Simulate {
     ) -> Result<String, Failure> {
         let Motion { file: ScenarioFile { scenario, text, path, tables, .. }, trajectory, .. } = motion;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
-        let mut names =
-            table::write(&self.tables(tables), trajectory, &scenario.into(), &motion.metadata(), &folder)?;
+        let mut names = vec!["summary.json"];
+        let tables = self.tables(tables);
+        names.extend(table::write(&tables, trajectory, &scenario.into(), &motion.metadata(), &folder)?);
         if !self.no_page {
             let command = format!("simulate {}", path.display());
             let page = Page { command, shown: Shown::Scenario { scenario, text, file: path } };
             names.push(page.write(trajectory, &folder)?);
         }
         folder.publish()?;
-        let more: String = names.iter().map(|name| format!("  {name}")).collect();
-        Ok(format!("wrote {}{more}", shown(&target.join("summary.json"))))
+        Ok(wrote(target, &names))
     }
 }
 

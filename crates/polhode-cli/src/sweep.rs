@@ -16,6 +16,7 @@ use polhode_source::shown;
 use polhode_sweep::{Dataset, Plan, Request, SweepError};
 
 use crate::failure::Failure;
+use crate::folder::wrote;
 use crate::stderr::tell;
 use crate::stdout::print;
 use progress::SweepProgress;
@@ -87,10 +88,9 @@ impl Sweep {
         if self.json {
             print(&(pretty(&summary.to_json()) + "\n"))
         } else {
-            let wrote = target.join("summary.json");
-            let asked = if summary.questions.is_empty() { "" } else { "  questions.svg" };
-            let more = format!("  members/  histograms.svg  pairs.svg{asked}");
-            print(&format!("{}wrote {}{more}\n", summary.to_text(), shown(&wrote)))
+            let asked = (!summary.questions.is_empty()).then_some("questions.svg");
+            let names = ["summary.json", "members/", "histograms.svg", "pairs.svg"].into_iter().chain(asked);
+            print(&format!("{}{}\n", summary.to_text(), wrote(&target, &names.collect::<Vec<_>>())))
         }
     }
 

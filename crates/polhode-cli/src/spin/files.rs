@@ -11,7 +11,7 @@ use polhode_table::output::Surroundings;
 
 use super::curves::CurveFlags;
 use crate::failure::Failure;
-use crate::folder::{Folder, PAGE, Replace};
+use crate::folder::{Folder, PAGE, Replace, wrote};
 use crate::page::{Page, check_file, write_file};
 use crate::table::{self, Format};
 
@@ -71,7 +71,7 @@ impl FileFlags {
         let curves = self.curves.draw(motion, self.sampling.duration())?;
         let folder = Folder::create(target, Replace::forced(self.force))?;
         folder.file("summary.json", |out| out.write_all(summary.as_bytes()))?;
-        let mut names = Vec::new();
+        let mut names = vec!["summary.json"];
         if let Some(trajectory) = trajectory {
             let formats = if self.table.is_empty() { &[Format::Parquet] } else { self.table.as_slice() };
             names.extend(table::write(formats, &trajectory, &Surroundings::default(), metadata, &folder)?);
@@ -83,9 +83,8 @@ impl FileFlags {
             names.push(page.write(&trajectory, &folder)?);
         }
         folder.publish()?;
-        let more: String = names.iter().map(|name| format!("  {name}")).collect();
         let note = if self.no_page { String::new() } else { self.sampling.not_shown(motion, at) };
-        Ok(format!("wrote {}{more}\n{note}", shown(&target.join("summary.json"))))
+        Ok(format!("{}\n{note}", wrote(target, &names)))
     }
 
     /// Refuses an existing page before the computation starts.

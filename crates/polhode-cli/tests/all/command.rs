@@ -41,7 +41,7 @@ fn simulate_writes_a_folder_whose_table_is_the_motion() {
         "--table",
         "csv",
     ]));
-    assert!(text.contains("A brick") && text.contains("wrote brick/summary.json"), "{text}");
+    assert!(text.contains("A brick") && text.contains("wrote brick/: summary.json"), "{text}");
     assert_eq!(scratch.entries(), ["brick", "brick.toml"]);
 
     let summary: Value =

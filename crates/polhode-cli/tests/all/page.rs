@@ -42,7 +42,7 @@ fn simulate_writes_a_page_beside_the_summary() {
     let scratch = Scratch::new("page-simulate");
     scratch.write("handle.toml", HANDLE);
     let text = stdout(&scratch.run(&["simulate", "handle.toml"]));
-    let wrote = "wrote handle/summary.json  trajectory.parquet  report.html\nopen handle/report.html in a browser to see the motion";
+    let wrote = "wrote handle/: summary.json, trajectory.parquet, report.html\nopen handle/report.html in a browser to see the motion";
     assert!(text.contains(wrote), "{text}");
     assert_eq!(entries(&scratch.0.join("handle")), ["report.html", "summary.json", "trajectory.parquet"]);
     let (html, data) = scratch.page("handle/report.html");

@@ -62,7 +62,7 @@ fn a_spin_is_drawn_without_a_folder_and_a_pipe_has_no_picture() {
     let with: Vec<&str> =
         flags.iter().copied().chain(["--plot", "all.png", "--plot", "euler=e.svg"]).collect();
     let text = stdout(&scratch.run(&with));
-    assert_eq!(text, plain + "wrote all.png  e.svg\n");
+    assert_eq!(text, plain + "wrote all.png, e.svg\n");
     assert_eq!(scratch.entries(), ["all.png", "e.svg"]);
     let png = fs::read(scratch.0.join("all.png")).unwrap();
     assert!(png.starts_with(b"\x89PNG\r\n\x1a\n") && png.len() > 50_000);

@@ -444,7 +444,7 @@ fn a_folder_is_written_whole_or_not_at_all() {
     let write = plate(&["--duration", "40", "--samples", "11", "--table", "csv", "--table", "parquet"]);
     let text = stdout(&spin(&scratch, &write));
     assert!(
-        text.ends_with("wrote spin/summary.json  trajectory.csv  trajectory.parquet  report.html\n"),
+        text.ends_with("wrote spin/: summary.json, trajectory.csv, trajectory.parquet, report.html\n"),
         "{text}"
     );
     assert_eq!(

@@ -44,7 +44,7 @@ fn a_sweep_is_one_command() {
     scratch.write("bricks.toml", &plan(700));
     let text = stdout(&scratch.run(&["sweep", "bricks.toml"]));
     assert!(text.contains("Bricks, thrown   700 members") && text.contains("short_axis"), "{text}");
-    assert!(text.contains("± ") && text.contains("wrote bricks/summary.json"), "{text}");
+    assert!(text.contains("± ") && text.contains("wrote bricks/: summary.json"), "{text}");
     let wide: Vec<_> = text.lines().filter(|line| line.chars().count() > 110).collect();
     assert!(wide.is_empty(), "{wide:?}");
     let files =

@@ -48,7 +48,7 @@ fn the_published_figures_of_the_flipping_plate() {
     }
     assert!(!text.contains("axis 1 round L") && !text.contains("geometric part"), "{text}");
     let more = stdout(&spin(&scratch, &plate(&["-v"])));
-    assert!(more.contains("axis 1 round L      6.63802 s") && more.contains("geometric part"), "{more}");
+    assert!(more.contains("axis 1 about L      6.63802 s") && more.contains("geometric part"), "{more}");
     for (omega, period) in [
         ("0.01,1,0.01", 39.105_734_197_268_72),
         ("1e-3,1,1e-3", 55.061_681_107_466_37),

@@ -94,7 +94,7 @@ impl Symmetry {
             Self::Spherical => "i1 = i2 = i3: every axis is principal",
             Self::Oblate => "i1 = i2: axes 1 and 2 are arbitrary in their plane",
             Self::Prolate => "i2 = i3: axes 2 and 3 are arbitrary in their plane",
-            Self::Asymmetric => "three different moments: the axes are determined",
+            Self::Asymmetric => "three different moments: the principal axes are unique",
         }
     }
 }

@@ -50,8 +50,8 @@ pub(crate) fn periods(free: Option<&FreeFacts>) -> Vec<Fact> {
     let axis = free.map_or("", |free| circled_axis(&free.motion));
     let convention = match axis {
         _ if free.is_some_and(|free| free.top.is_some()) => "",
-        "axis 1" => " (long-axis P_φ)",
-        _ => " (short-axis P_φ)",
+        "axis 1" => " (long-axis convention, P_φ)",
+        _ => " (short-axis convention, P_φ)",
     };
     let is_permanent = free.is_some_and(|free| matches!(free.regime.regime, Regime::Permanent(_)));
     let growth = number(|r| r.growth_rate).map(|rate| Quantity::Number(rate, "/s"));
@@ -60,13 +60,13 @@ pub(crate) fn periods(free: Option<&FreeFacts>) -> Vec<Fact> {
         Fact::new("motion.regime", "free motion", free.map(|free| kind(free.regime.regime))),
         Fact::new("motion.period_s", "period of ω", time(number(|r| r.period))).note("in the body"),
         Fact::new("motion.precession_period_s", "precession", time(period(|p| p.precession)))
-            .note(format!("{axis} round L, on average{convention}")),
+            .note(format!("{axis} about L, mean period{convention}")),
         Fact::new("motion.rotation_period_s", "rotation", time(period(|p| p.rotation)))
             .note(if is_permanent { "one turn" } else { "once about the axis that L circles" }),
         Fact::new("motion.flip_interval_s", "flips every", time(number(|r| r.flip_interval)))
             .note("ω along axis 2 reverses"),
         Fact::new("motion.growth_rate_per_s", "growth rate", growth)
-            .note(format!("of a departure from axis 2; ω starts {off}° from it")),
+            .note(format!("of a small deviation from axis 2; ω starts {off}° from it")),
     ]
 }
 
@@ -113,9 +113,9 @@ fn other_convention(motion: &FreeMotion) -> Option<Fact> {
         false => (1, "long", AxisConvention::LongAxis),
     };
     let periods = TumblingPeriods::of(motion, convention)?;
-    let note = format!("on average ({name}-axis P_φ); about it the body rocks");
+    let note = format!("mean period ({name}-axis convention, P_φ); the body rocks about this axis");
     Some(
-        Fact::shown(format!("axis {axis} round L"), Quantity::Duration(periods.precession))
+        Fact::shown(format!("axis {axis} about L"), Quantity::Duration(periods.precession))
             .note(note)
             .detail(),
     )

@@ -145,7 +145,7 @@ pub(crate) fn symmetric_top(key: &str, top: &SymmetricTop, cones: &Cones) -> Vec
     };
     let [body_rate, space_rate] = [
         every(cones.body_rate, "Ω: ω round the axis"),
-        every(cones.space_rate, "φ\u{307}: ω and the axis round L"),
+        every(cones.space_rate, "φ\u{307}: ω and the axis about L"),
     ];
     vec![
         fact("axis", "symmetry axis", Quantity::Vector(top.axis().to_array(), "")).note("in the body"),
@@ -164,7 +164,7 @@ pub(crate) fn symmetric_top(key: &str, top: &SymmetricTop, cones: &Cones) -> Vec
             "space_cone_half_angle_rad",
             "space cone",
             Quantity::Angle(cones.space_half_angle),
-            "half-angle: ω round L",
+            "half-angle: ω about L",
         ),
         of_cone("nutation_rad", "nutation", Quantity::Angle(cones.nutation), "of the symmetry axis from L"),
     ]

@@ -46,9 +46,9 @@ fn text(all: &[Graded]) -> String {
     let (stepped, graded): (Vec<&Graded>, Vec<&Graded>) =
         all.iter().partition(|graded| graded.setting.ends_with(STEPS));
     let mut page = "# Physics engines compared by the suite\n\n<!-- Written by `cargo xtask engines`. -->\n\n\
-        The cases of the [suite](judge.md#the-suite) as physics engines compute them: each with the setting that it comes with, and with the one that its documentation \
-        recommends for accuracy. The programs that ran them are in `judge/engines`. [Notes](judge-engines-notes.md) has what the documentation of each engine says of accuracy, and what was found.\n\n\
-        The error is the largest angle between the attitude of a row and the exact one, rad. A case is passed up to 0.01 rad.\n\n\
+        The cases of the [suite](judge.md#the-suite) in physics engines, with default settings and with those that their documentation recommends for \
+        accuracy ([notes](judge-engines-notes.md)). The programs are in `judge/engines`.\n\nThe error is the largest angle between the attitude of a row \
+        and the exact one, rad. A case is passed up to 0.01 rad; failed ones are bold.\n\n\
         ## The settings\n\n| setting | engine | step (s) | passed | failed | not run |\n|---|---|---|---|---|---|\n"
         .to_owned();
     for Graded { setting, card } in graded.iter().copied() {
@@ -71,7 +71,7 @@ fn text(all: &[Graded]) -> String {
         let errors: String = graded.iter().map(|graded| format!(" {} |", shown(&cases(graded)[k]))).collect();
         let _ = writeln!(page, "| {} |{errors}", word(&case["case"]));
     }
-    page.push_str("\n## Order of accuracy\n\nBetween the two smallest of several steps: the median of the cases, and the least and the greatest.\n\n| setting | steps (s) | cases | order |\n|---|---|---|---|\n");
+    page.push_str("\n## Order of accuracy\n\nBetween the two smallest of several steps: median of the cases, minimum and maximum.\n\n| setting | steps (s) | cases | order |\n|---|---|---|---|\n");
     for graded in &stepped {
         let orders = orders(graded);
         let Some(median) = orders.get(orders.len() / 2) else { continue };
@@ -84,25 +84,32 @@ fn text(all: &[Graded]) -> String {
             orders.len()
         );
     }
-    page.push_str("\n## The likeliest causes\n\nOf the cases that were not passed: how often each cause was named first.\n\n| setting | cause | cases |\n|---|---|---|\n");
-    for graded in &graded {
-        for (cause, count) in causes(graded) {
-            let _ = writeln!(page, "| {} | {cause} | {count} |", graded.setting);
-        }
+    page.push_str("\n## Most likely causes\n\nNumber of failed cases by the first named cause.\n\n| setting | causes |\n|---|---|\n");
+    for graded in graded.iter().filter(|graded| !causes(graded).is_empty()) {
+        let causes: Vec<_> =
+            causes(graded).into_iter().map(|(cause, count)| format!("{cause}: {count}")).collect();
+        let _ = writeln!(page, "| {} | {} |", graded.setting, causes.join("; "));
     }
-    page.push_str("\n## Not run, or not to the end\n\n| setting | case | why |\n|---|---|---|\n");
+    page.push_str("\n## Not run, or not to the end\n\n| setting | cases | reason |\n|---|---|---|\n");
     for graded in &graded {
-        for case in cases(graded).iter().filter(|case| !case["why_not"].is_null()) {
-            let _ = writeln!(
-                page,
-                "| {} | {} | {} |",
-                graded.setting,
-                word(&case["case"]),
-                word(&case["why_not"])
-            );
+        for (reason, cases) in not_run(graded) {
+            let _ = writeln!(page, "| {} | {} | {reason} |", graded.setting, cases.join(", "));
         }
     }
     page
+}
+
+/// Returns the reasons of cases that did not run to the end, each with its cases, in their order.
+fn not_run(graded: &Graded) -> Vec<(&str, Vec<&str>)> {
+    let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
+    for case in cases(graded).iter().filter(|case| !case["why_not"].is_null()) {
+        let (reason, name) = (word(&case["why_not"]), word(&case["case"]));
+        match reasons.iter_mut().find(|(other, _)| *other == reason) {
+            Some((_, cases)) => cases.push(name),
+            None => reasons.push((reason, vec![name])),
+        }
+    }
+    reasons
 }
 
 fn cases(graded: &Graded) -> &[Value] {
@@ -156,8 +163,10 @@ fn causes(graded: &Graded) -> Vec<(String, usize)> {
             case["runs"].as_array().into_iter().flatten().flat_map(|run| run["causes"]["tried"].as_array());
         let named = tried.flatten().find(|cause| cause["named"] == true);
         // The step size is omitted, because it differs between cases.
-        let text = named.map_or("none that was tried", |cause| cause["cause"].as_str().unwrap_or_default());
-        let name = text.split(", h = ").next().unwrap_or(text).replace('|', "\\|");
+        let text = named.map_or("none found", |cause| cause["cause"].as_str().unwrap_or_default());
+        let text = text.split(", h = ").next().unwrap_or(text);
+        let method = text.strip_prefix("first-order integration (").and_then(|text| text.strip_suffix(')'));
+        let name = method.unwrap_or(text).replace('|', "\\|");
         match counts.iter_mut().find(|(other, _)| *other == name) {
             Some((_, count)) => *count += 1,
             None => counts.push((name, 1)),

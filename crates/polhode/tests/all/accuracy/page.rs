@@ -1,7 +1,5 @@
 //! The page: its text in `page.md`, with the numbers inserted.
 
-use std::fmt::Write as _;
-
 use crate::accuracy::Measured;
 use crate::accuracy::distant::DISTANT;
 use crate::accuracy::elliptic::{FUNCTIONS, Function};
@@ -15,10 +13,6 @@ const PAGE: &str = include_str!("page.md");
 /// Returns the page with its numbers.
 pub(crate) fn page(measured: &Measured) -> String {
     let Measured { groups, distant, functions, meshes, axes } = measured;
-    let mut group_list = String::new();
-    for (name, what) in free_motion::GROUPS {
-        writeln!(group_list, "- *{name}*: {what}").unwrap();
-    }
     let mut far = String::new();
     for (case, error) in DISTANT.iter().zip(distant) {
         far += &row([case.what.into(), case.periods.into(), up(*error)]);
@@ -35,9 +29,7 @@ pub(crate) fn page(measured: &Measured) -> String {
     PAGE.replace("{cases}", &cases.to_string())
         .replace("{rows}", &rows.to_string())
         .replace("{spans}", &spans)
-        .replace("{groups}", &group_list)
-        .replace("{attitude}", &errors(groups, true, |w| w.attitude))
-        .replace("{omega}", &errors(groups, false, |w| w.omega))
+        .replace("{attitude}", &attitudes(groups))
         .replace("{constants}", &constants(groups))
         .replace("{far}", &far)
         .replace("{elliptic}", &elliptic)
@@ -86,23 +78,23 @@ fn row(cells: impl IntoIterator<Item = String>) -> String {
     format!("| {} |\n", cells.into_iter().collect::<Vec<_>>().join(" | "))
 }
 
-/// Returns rows of group, number of cases, number of rows, and an error for each span.
-fn errors(groups: &[Worst], rows: bool, of: impl Fn(&Worst) -> [f64; free_motion::SPANS.len()]) -> String {
-    let mut text = String::new();
-    let sum = |w: &Worst| w.rows.iter().sum::<usize>().to_string();
-    for ((name, _), worst) in free_motion::GROUPS.iter().zip(groups) {
-        let counts = if rows { vec![worst.cases.to_string(), sum(worst)] } else { Vec::new() };
-        let spans =
-            of(worst).into_iter().zip(worst.rows).map(|(e, n)| if n == 0 { "–".into() } else { up(e) });
-        text += &row([(*name).to_string()].into_iter().chain(counts).chain(spans));
-    }
-    text
+/// Returns rows of group, bodies, number of cases, and an error of the attitude for each span.
+fn attitudes(groups: &[Worst]) -> String {
+    let line = |((name, bodies), worst): (&(&str, &str), &Worst)| {
+        let head = [(*name).to_owned(), (*bodies).to_owned(), worst.cases.to_string()];
+        let spans = worst.attitude.into_iter().zip(worst.rows);
+        row(head.into_iter().chain(spans.map(|(error, rows)| if rows == 0 { "–".into() } else { up(error) })))
+    };
+    free_motion::GROUPS.iter().zip(groups).map(line).collect()
 }
 
+/// Returns rows of group, error of ω at all times, and errors of the constants.
 fn constants(groups: &[Worst]) -> String {
-    let cells = |worst: &Worst| worst.constants.map(|error| error.map_or("–".into(), up));
-    let line =
-        |(group, worst): (&(&str, &str), &Worst)| row([group.0.to_string()].into_iter().chain(cells(worst)));
+    let line = |(group, worst): (&(&str, &str), &Worst)| {
+        let omega = up(worst.omega.into_iter().fold(0.0, f64::max));
+        let constants = worst.constants.map(|error| error.map_or("–".into(), up));
+        row([group.0.to_owned(), omega].into_iter().chain(constants))
+    };
     free_motion::GROUPS.iter().zip(groups).map(line).collect()
 }
 

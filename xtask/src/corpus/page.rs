@@ -78,31 +78,26 @@ fn by_repository(text: &mut String, audited: &[Audited], all: &Counts) {
     let _ = write!(
         text,
         "\n## By repository\n\nModels: {}; {} files were refused. A finding may name several links. Not counted are {} copies, with the same bytes as \
-         another file, and {} files in folders of tests, where models are wrong on purpose. The link has the commit.\n\n| repository | date | models | \
-         links | inertials | files with impossible | impossible | suspect | notes |\n|---|---|{}\n",
+         another file, and {} files in folders of tests, where models are wrong on purpose. The link has the commit.\n\n| repository | models | \
+         inertials | files with impossible | impossible | suspect | notes |\n|---|{}\n",
         languages.join(", "),
         count(all.refused.values().sum()),
         count(all.copies),
         count(all.tests),
-        "--:|".repeat(7)
+        "--:|".repeat(6)
     );
     for Audited { repository, counts, .. } in audited {
         let name = &repository.name;
-        let _ = write!(
-            text,
-            "| [{name}](https://github.com/{name}/tree/{}) | {} |",
-            repository.commit, repository.date
-        );
+        let _ = write!(text, "| [{name}](https://github.com/{name}/tree/{}) |", repository.commit);
         row(text, counts);
     }
-    text.push_str("| **all** | |");
+    text.push_str("| **all** |");
     row(text, all);
 }
 
 fn row(text: &mut String, counts: &Counts) {
     let numbers = [
         counts.files_read(),
-        counts.links,
         counts.inertials,
         counts.files[0],
         counts.findings(0),
@@ -116,9 +111,7 @@ fn row(text: &mut String, counts: &Counts) {
 }
 
 fn by_rule(text: &mut String, all: &Counts) {
-    text.push_str(
-        "\n## By rule\n\n| rule | impossible | suspect | notes | files | repositories |\n|---|--:|--:|--:|--:|--:|\n",
-    );
+    text.push_str("\n## By rule\n\n| rule | impossible | suspect | notes | files | repositories |\n|---|--:|--:|--:|--:|--:|\n");
     let mut rules: Vec<_> = all.rules.iter().collect();
     rules.sort_by(|(code, counts), (other, others)| {
         others.findings.cmp(&counts.findings).then_with(|| code.cmp(other))

@@ -64,11 +64,16 @@ fn text(all: &[Graded]) -> String {
             card["not_run"]
         );
     }
-    let heads: String = graded.iter().map(|graded| format!(" {} |", graded.setting)).collect();
-    let _ =
-        write!(page, "\n## The largest errors\n\n| case |{heads}\n|---|{}\n", "---|".repeat(graded.len()));
-    for (k, case) in graded.first().map_or(&[][..], |first| cases(first)).iter().enumerate() {
-        let errors: String = graded.iter().map(|graded| format!(" {} |", shown(&cases(graded)[k]))).collect();
+    let compared = compared(&graded);
+    let heads: String = compared.iter().map(|graded| format!(" {} |", graded.setting)).collect();
+    let _ = write!(
+        page,
+        "\n## Largest errors\n\nFor each engine, the first setting and the one that passes the most cases.\n\n| case |{heads}\n|---|{}\n",
+        "---|".repeat(compared.len())
+    );
+    for (k, case) in compared.first().map_or(&[][..], |first| cases(first)).iter().enumerate() {
+        let errors: String =
+            compared.iter().map(|graded| format!(" {} |", shown(&cases(graded)[k]))).collect();
         let _ = writeln!(page, "| {} |{errors}", word(&case["case"]));
     }
     page.push_str("\n## Order of accuracy\n\nBetween the two smallest of several steps: median of the cases, minimum and maximum.\n\n| setting | steps (s) | cases | order |\n|---|---|---|---|\n");
@@ -114,6 +119,17 @@ fn not_run(graded: &Graded) -> Vec<(&str, Vec<&str>)> {
 
 fn cases(graded: &Graded) -> &[Value] {
     graded.card["cases"].as_array().map_or(&[], Vec::as_slice)
+}
+
+/// Returns the first setting of each engine and the last of those that pass the most cases.
+fn compared<'a>(graded: &[&'a Graded]) -> Vec<&'a Graded> {
+    let engine = |one: &Graded| one.setting.split('-').next().map(str::to_owned);
+    let is_compared = |one: &&&Graded| {
+        let mut same = graded.iter().filter(|other| engine(other) == engine(one));
+        let best = same.clone().max_by_key(|other| other.card["passed"].as_u64());
+        [same.next(), best].into_iter().flatten().any(|other| other.setting == one.setting)
+    };
+    graded.iter().filter(is_compared).copied().collect()
 }
 
 /// Formats an error: `2.1e-9`, **`0.83`** for a failed case, `—` without a run.

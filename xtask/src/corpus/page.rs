@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::Audited;
-use super::count::{Counts, NO_BODY};
+use super::count::{Counts, NO_BODY, RuleCounts};
 
 /// Names of the languages.
 const LANGUAGES: [(&str, &str); 5] =
@@ -111,8 +111,9 @@ fn row(text: &mut String, counts: &Counts) {
 }
 
 fn by_rule(text: &mut String, all: &Counts) {
-    text.push_str("\n## By rule\n\n| rule | impossible | suspect | notes | files | repositories |\n|---|--:|--:|--:|--:|--:|\n");
-    let mut rules: Vec<_> = all.rules.iter().collect();
+    text.push_str("\n## By rule\n\nRules with notes only are omitted.\n\n| rule | impossible | suspect | notes | files | repositories |\n|---|--:|--:|--:|--:|--:|\n");
+    let is_shown = |counts: &RuleCounts| counts.findings[..2] != [0, 0];
+    let mut rules: Vec<_> = all.rules.iter().filter(|(_, counts)| is_shown(counts)).collect();
     rules.sort_by(|(code, counts), (other, others)| {
         others.findings.cmp(&counts.findings).then_with(|| code.cmp(other))
     });

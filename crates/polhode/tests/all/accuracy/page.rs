@@ -23,14 +23,13 @@ pub(crate) fn page(measured: &Measured) -> String {
         elliptic +=
             &row([(*name).into(), values.to_string(), (values - nearest).to_string(), ulps.to_string()]);
     }
-    let spans = free_motion::SPANS.map(|span| span.0).join(" | ");
+    let [early, .., late] = free_motion::SPANS;
     let (cases, rows): (usize, usize) =
         groups.iter().fold((0, 0), |(c, r), w| (c + w.cases, r + w.rows.iter().sum::<usize>()));
     PAGE.replace("{cases}", &cases.to_string())
         .replace("{rows}", &rows.to_string())
-        .replace("{spans}", &spans)
-        .replace("{attitude}", &attitudes(groups))
-        .replace("{constants}", &constants(groups))
+        .replace("{spans}", &[early.0, late.0].join(" | "))
+        .replace("{bodies}", &bodies(groups))
         .replace("{far}", &far)
         .replace("{elliptic}", &elliptic)
         .replace("{meshes}", &mesh_rows(meshes))
@@ -78,22 +77,15 @@ fn row(cells: impl IntoIterator<Item = String>) -> String {
     format!("| {} |\n", cells.into_iter().collect::<Vec<_>>().join(" | "))
 }
 
-/// Returns rows of group, bodies, number of cases, and an error of the attitude for each span.
-fn attitudes(groups: &[Worst]) -> String {
+/// Returns rows of group, bodies, number of cases, errors of the attitude in the first and last
+/// span, error of ω in all, and errors of the constants.
+fn bodies(groups: &[Worst]) -> String {
     let line = |((name, bodies), worst): (&(&str, &str), &Worst)| {
+        let [early, .., late] = worst.attitude;
+        let omega = worst.omega.into_iter().fold(0.0, f64::max);
         let head = [(*name).to_owned(), (*bodies).to_owned(), worst.cases.to_string()];
-        let spans = worst.attitude.into_iter().zip(worst.rows);
-        row(head.into_iter().chain(spans.map(|(error, rows)| if rows == 0 { "–".into() } else { up(error) })))
-    };
-    free_motion::GROUPS.iter().zip(groups).map(line).collect()
-}
-
-/// Returns rows of group, error of ω at all times, and errors of the constants.
-fn constants(groups: &[Worst]) -> String {
-    let line = |(group, worst): (&(&str, &str), &Worst)| {
-        let omega = up(worst.omega.into_iter().fold(0.0, f64::max));
         let constants = worst.constants.map(|error| error.map_or("–".into(), up));
-        row([group.0.to_owned(), omega].into_iter().chain(constants))
+        row(head.into_iter().chain([early, late, omega].map(up)).chain(constants))
     };
     free_motion::GROUPS.iter().zip(groups).map(line).collect()
 }

@@ -49,19 +49,21 @@ fn text(all: &[Graded]) -> String {
         The cases of the [suite](judge.md#the-suite) in physics engines, with default settings and with those that their documentation recommends for \
         accuracy ([notes](judge-engines-notes.md)). The programs are in `judge/engines`.\n\nThe error is the largest angle between the attitude of a row \
         and the exact one, rad. A case is passed up to 0.01 rad; failed ones are bold.\n\n\
-        ## The settings\n\n| setting | engine | step (s) | passed | failed | not run |\n|---|---|---|---|---|---|\n"
+        ## Settings\n\nWith the number of failed cases by the first named cause.\n\n| setting | engine | step (s) | passed | not run | causes of failures |\n|---|---|---|---|---|---|\n"
         .to_owned();
     for Graded { setting, card } in graded.iter().copied() {
         let engines: Vec<&str> =
             card["engines"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+        let causes: Vec<_> =
+            causes(card).into_iter().map(|(cause, count)| format!("{cause}: {count}")).collect();
         let _ = writeln!(
             page,
             "| {setting} | {} | {} | {} | {} | {} |",
             engines.join("; "),
             steps(card),
             card["passed"],
-            card["failed"],
-            card["not_run"]
+            card["not_run"],
+            causes.join("; ")
         );
     }
     let compared = compared(&graded);
@@ -71,9 +73,9 @@ fn text(all: &[Graded]) -> String {
         "\n## Largest errors\n\nFor each engine, the first setting and the one that passes the most cases.\n\n| case |{heads}\n|---|{}\n",
         "---|".repeat(compared.len())
     );
-    for (k, case) in compared.first().map_or(&[][..], |first| cases(first)).iter().enumerate() {
+    for (k, case) in compared.first().map_or(&[][..], |first| cases(&first.card)).iter().enumerate() {
         let errors: String =
-            compared.iter().map(|graded| format!(" {} |", shown(&cases(graded)[k]))).collect();
+            compared.iter().map(|graded| format!(" {} |", shown(&cases(&graded.card)[k]))).collect();
         let _ = writeln!(page, "| {} |{errors}", word(&case["case"]));
     }
     page.push_str("\n## Order of accuracy\n\nBetween the two smallest of several steps: median of the cases, minimum and maximum.\n\n| setting | steps (s) | cases | order |\n|---|---|---|---|\n");
@@ -89,12 +91,6 @@ fn text(all: &[Graded]) -> String {
             orders.len()
         );
     }
-    page.push_str("\n## Most likely causes\n\nNumber of failed cases by the first named cause.\n\n| setting | causes |\n|---|---|\n");
-    for graded in graded.iter().filter(|graded| !causes(graded).is_empty()) {
-        let causes: Vec<_> =
-            causes(graded).into_iter().map(|(cause, count)| format!("{cause}: {count}")).collect();
-        let _ = writeln!(page, "| {} | {} |", graded.setting, causes.join("; "));
-    }
     page.push_str("\n## Not run, or not to the end\n\n| setting | cases | reason |\n|---|---|---|\n");
     for graded in &graded {
         for (reason, cases) in not_run(graded) {
@@ -107,7 +103,7 @@ fn text(all: &[Graded]) -> String {
 /// Returns the reasons of cases that did not run to the end, each with its cases, in their order.
 fn not_run(graded: &Graded) -> Vec<(&str, Vec<&str>)> {
     let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
-    for case in cases(graded).iter().filter(|case| !case["why_not"].is_null()) {
+    for case in cases(&graded.card).iter().filter(|case| !case["why_not"].is_null()) {
         let (reason, name) = (word(&case["why_not"]), word(&case["case"]));
         match reasons.iter_mut().find(|(other, _)| *other == reason) {
             Some((_, cases)) => cases.push(name),
@@ -117,8 +113,8 @@ fn not_run(graded: &Graded) -> Vec<(&str, Vec<&str>)> {
     reasons
 }
 
-fn cases(graded: &Graded) -> &[Value] {
-    graded.card["cases"].as_array().map_or(&[], Vec::as_slice)
+fn cases(card: &Value) -> &[Value] {
+    card["cases"].as_array().map_or(&[], Vec::as_slice)
 }
 
 /// Returns the first setting of each engine and the last of those that pass the most cases.
@@ -147,7 +143,7 @@ fn shown(case: &Value) -> String {
 /// steps.
 fn orders(graded: &Graded) -> Vec<f64> {
     let last = |case: &Value| case["order_of_accuracy"].as_array()?.last()?.as_f64();
-    let mut orders: Vec<f64> = cases(graded).iter().filter_map(last).collect();
+    let mut orders: Vec<f64> = cases(&graded.card).iter().filter_map(last).collect();
     orders.sort_by(f64::total_cmp);
     orders
 }
@@ -172,9 +168,9 @@ fn rounded(step: f64) -> String {
 }
 
 /// Returns the most likely causes in failed cases with their number, the most frequent first.
-fn causes(graded: &Graded) -> Vec<(String, usize)> {
+fn causes(card: &Value) -> Vec<(String, usize)> {
     let mut counts: Vec<(String, usize)> = Vec::new();
-    for case in cases(graded).iter().filter(|case| case["grade"] == "failed") {
+    for case in cases(card).iter().filter(|case| case["grade"] == "failed") {
         let tried =
             case["runs"].as_array().into_iter().flatten().flat_map(|run| run["causes"]["tried"].as_array());
         let named = tried.flatten().find(|cause| cause["named"] == true);

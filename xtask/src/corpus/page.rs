@@ -86,13 +86,21 @@ fn by_repository(text: &mut String, audited: &[Audited], all: &Counts) {
         count(all.tests),
         "--:|".repeat(6)
     );
-    for Audited { repository, counts, .. } in audited {
+    let (impossible, others): (Vec<_>, Vec<_>) = audited.iter().partition(|one| one.counts.findings(0) > 0);
+    let link = |Audited { repository, .. }: &&Audited| {
         let name = &repository.name;
-        let _ = write!(text, "| [{name}](https://github.com/{name}/tree/{}) |", repository.commit);
-        row(text, counts);
+        format!("[{name}](https://github.com/{name}/tree/{})", repository.commit)
+    };
+    for one in &impossible {
+        let _ = write!(text, "| {} |", link(one));
+        row(text, &one.counts);
     }
     text.push_str("| **all** |");
     row(text, all);
+    let others: Vec<_> = others.iter().map(link).collect();
+    if !others.is_empty() {
+        let _ = writeln!(text, "\nWithout impossible findings: {}.", others.join(", "));
+    }
 }
 
 fn row(text: &mut String, counts: &Counts) {

@@ -14,7 +14,8 @@ const PAGE: &str = include_str!("page.md");
 pub(crate) fn page(measured: &Measured) -> String {
     let Measured { groups, distant, functions, meshes, axes } = measured;
     let mut far = String::new();
-    for (case, error) in DISTANT.iter().zip(distant) {
+    let errors = DISTANT.iter().zip(distant).filter(|(_, error)| **error > free_motion::PROMISED);
+    for (case, error) in errors {
         far += &row([case.what.into(), case.periods.into(), up(*error)]);
     }
     let mut elliptic = String::new();
@@ -30,6 +31,7 @@ pub(crate) fn page(measured: &Measured) -> String {
         .replace("{rows}", &rows.to_string())
         .replace("{spans}", &[early.0, late.0].join(" | "))
         .replace("{bodies}", &bodies(groups))
+        .replace("{distant}", &distant.len().to_string())
         .replace("{far}", &far)
         .replace("{elliptic}", &elliptic)
         .replace("{meshes}", &mesh_rows(meshes))

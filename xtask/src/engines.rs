@@ -46,32 +46,39 @@ fn text(all: &[Graded]) -> String {
     let (stepped, graded): (Vec<&Graded>, Vec<&Graded>) =
         all.iter().partition(|graded| graded.setting.ends_with(STEPS));
     let mut page = "# Physics engines compared by the suite\n\n<!-- Written by `cargo xtask engines`. -->\n\n\
-        The cases of the [suite](judge.md#the-suite) as physics engines compute them: each with the setting that it comes with, and with the one that its documentation \
-        recommends for accuracy. The programs that ran them are in `judge/engines`. [Notes](judge-engines-notes.md) has what the documentation of each engine says of accuracy, and what was found.\n\n\
-        The error is the largest angle between the attitude of a row and the exact one, rad. A case is passed up to 0.01 rad.\n\n\
-        ## The settings\n\n| setting | engine | step (s) | passed | failed | not run |\n|---|---|---|---|---|---|\n"
+        The cases of the [suite](judge.md#the-suite) in physics engines, with default settings and with those that their documentation recommends for \
+        accuracy ([notes](judge-engines-notes.md)). The programs are in `judge/engines`.\n\nThe error is the largest angle between the attitude of a row \
+        and the exact one, rad. A case is passed up to 0.01 rad; failed ones are bold.\n\n\
+        ## Settings\n\nWith the number of failed cases by the first named cause.\n\n| setting | engine | step (s) | passed | not run | causes of failures |\n|---|---|---|---|---|---|\n"
         .to_owned();
     for Graded { setting, card } in graded.iter().copied() {
         let engines: Vec<&str> =
             card["engines"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+        let causes: Vec<_> =
+            causes(card).into_iter().map(|(cause, count)| format!("{cause}: {count}")).collect();
         let _ = writeln!(
             page,
             "| {setting} | {} | {} | {} | {} | {} |",
             engines.join("; "),
             steps(card),
             card["passed"],
-            card["failed"],
-            card["not_run"]
+            card["not_run"],
+            causes.join("; ")
         );
     }
-    let heads: String = graded.iter().map(|graded| format!(" {} |", graded.setting)).collect();
-    let _ =
-        write!(page, "\n## The largest errors\n\n| case |{heads}\n|---|{}\n", "---|".repeat(graded.len()));
-    for (k, case) in graded.first().map_or(&[][..], |first| cases(first)).iter().enumerate() {
-        let errors: String = graded.iter().map(|graded| format!(" {} |", shown(&cases(graded)[k]))).collect();
+    let compared = compared(&graded);
+    let heads: String = compared.iter().map(|graded| format!(" {} |", graded.setting)).collect();
+    let _ = write!(
+        page,
+        "\n## Largest errors\n\nFor each engine, the first setting and the one that passes the most cases.\n\n| case |{heads}\n|---|{}\n",
+        "---|".repeat(compared.len())
+    );
+    for (k, case) in compared.first().map_or(&[][..], |first| cases(&first.card)).iter().enumerate() {
+        let errors: String =
+            compared.iter().map(|graded| format!(" {} |", shown(&cases(&graded.card)[k]))).collect();
         let _ = writeln!(page, "| {} |{errors}", word(&case["case"]));
     }
-    page.push_str("\n## Order of accuracy\n\nBetween the two smallest of several steps: the median of the cases, and the least and the greatest.\n\n| setting | steps (s) | cases | order |\n|---|---|---|---|\n");
+    page.push_str("\n## Order of accuracy\n\nBetween the two smallest of several steps: median of the cases, minimum and maximum.\n\n| setting | steps (s) | cases | order |\n|---|---|---|---|\n");
     for graded in &stepped {
         let orders = orders(graded);
         let Some(median) = orders.get(orders.len() / 2) else { continue };
@@ -84,29 +91,41 @@ fn text(all: &[Graded]) -> String {
             orders.len()
         );
     }
-    page.push_str("\n## The likeliest causes\n\nOf the cases that were not passed: how often each cause was named first.\n\n| setting | cause | cases |\n|---|---|---|\n");
+    page.push_str("\n## Not run, or not to the end\n\n| setting | cases | reason |\n|---|---|---|\n");
     for graded in &graded {
-        for (cause, count) in causes(graded) {
-            let _ = writeln!(page, "| {} | {cause} | {count} |", graded.setting);
-        }
-    }
-    page.push_str("\n## Not run, or not to the end\n\n| setting | case | why |\n|---|---|---|\n");
-    for graded in &graded {
-        for case in cases(graded).iter().filter(|case| !case["why_not"].is_null()) {
-            let _ = writeln!(
-                page,
-                "| {} | {} | {} |",
-                graded.setting,
-                word(&case["case"]),
-                word(&case["why_not"])
-            );
+        for (reason, cases) in not_run(graded) {
+            let _ = writeln!(page, "| {} | {} | {reason} |", graded.setting, cases.join(", "));
         }
     }
     page
 }
 
-fn cases(graded: &Graded) -> &[Value] {
-    graded.card["cases"].as_array().map_or(&[], Vec::as_slice)
+/// Returns the reasons of cases that did not run to the end, each with its cases, in their order.
+fn not_run(graded: &Graded) -> Vec<(&str, Vec<&str>)> {
+    let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
+    for case in cases(&graded.card).iter().filter(|case| !case["why_not"].is_null()) {
+        let (reason, name) = (word(&case["why_not"]), word(&case["case"]));
+        match reasons.iter_mut().find(|(other, _)| *other == reason) {
+            Some((_, cases)) => cases.push(name),
+            None => reasons.push((reason, vec![name])),
+        }
+    }
+    reasons
+}
+
+fn cases(card: &Value) -> &[Value] {
+    card["cases"].as_array().map_or(&[], Vec::as_slice)
+}
+
+/// Returns the first setting of each engine and the last of those that pass the most cases.
+fn compared<'a>(graded: &[&'a Graded]) -> Vec<&'a Graded> {
+    let engine = |one: &Graded| one.setting.split('-').next().map(str::to_owned);
+    let is_compared = |one: &&&Graded| {
+        let mut same = graded.iter().filter(|other| engine(other) == engine(one));
+        let best = same.clone().max_by_key(|other| other.card["passed"].as_u64());
+        [same.next(), best].into_iter().flatten().any(|other| other.setting == one.setting)
+    };
+    graded.iter().filter(is_compared).copied().collect()
 }
 
 /// Formats an error: `2.1e-9`, **`0.83`** for a failed case, `—` without a run.
@@ -124,7 +143,7 @@ fn shown(case: &Value) -> String {
 /// steps.
 fn orders(graded: &Graded) -> Vec<f64> {
     let last = |case: &Value| case["order_of_accuracy"].as_array()?.last()?.as_f64();
-    let mut orders: Vec<f64> = cases(graded).iter().filter_map(last).collect();
+    let mut orders: Vec<f64> = cases(&graded.card).iter().filter_map(last).collect();
     orders.sort_by(f64::total_cmp);
     orders
 }
@@ -149,15 +168,17 @@ fn rounded(step: f64) -> String {
 }
 
 /// Returns the most likely causes in failed cases with their number, the most frequent first.
-fn causes(graded: &Graded) -> Vec<(String, usize)> {
+fn causes(card: &Value) -> Vec<(String, usize)> {
     let mut counts: Vec<(String, usize)> = Vec::new();
-    for case in cases(graded).iter().filter(|case| case["grade"] == "failed") {
+    for case in cases(card).iter().filter(|case| case["grade"] == "failed") {
         let tried =
             case["runs"].as_array().into_iter().flatten().flat_map(|run| run["causes"]["tried"].as_array());
         let named = tried.flatten().find(|cause| cause["named"] == true);
         // The step size is omitted, because it differs between cases.
-        let text = named.map_or("none that was tried", |cause| cause["cause"].as_str().unwrap_or_default());
-        let name = text.split(", h = ").next().unwrap_or(text).replace('|', "\\|");
+        let text = named.map_or("none found", |cause| cause["cause"].as_str().unwrap_or_default());
+        let text = text.split(", h = ").next().unwrap_or(text);
+        let method = text.strip_prefix("first-order integration (").and_then(|text| text.strip_suffix(')'));
+        let name = method.unwrap_or(text).replace('|', "\\|");
         match counts.iter_mut().find(|(other, _)| *other == name) {
             Some((_, count)) => *count += 1,
             None => counts.push((name, 1)),

@@ -107,15 +107,14 @@ def main():
                        for kind, ns in own.items())
     page = f"""# Time per state, compared with heyoka
 
-Written by `crates/polhode/benches/speed.py`; run it again rather than believe this page. Times are the least of many short runs, in {ROUNDS}
-rounds, on one core; a busy machine gives longer ones.
+Written by `crates/polhode/benches/speed.py`. Times are the least of many short runs, in {ROUNDS}
+rounds, on one core.
 
 {processor()}, {first("rustc", "--version")}, commit {first("git", "rev-parse", "--short", "HEAD")}, heyoka {peer_version}.
 
 ## Free motion
 
-ω and attitude of a body with moments (1, 2, 3), ns. Every column has the same bits: vectors are chosen at run time, and no kernel
-fuses a multiplication with an addition.
+ω and attitude of a body with moments (1, 2, 3), ns. Every column has the same bits; vectors are chosen at run time.
 
 | | widest vectors of the machine | AVX2 | no vectors |
 |---|---|---|---|
@@ -133,25 +132,11 @@ The table of 1,000 s of I = (1, 2, 3), ω = (0.3, 0.5, 0.9) at 1,001 times, in o
 | heyoka {peer_version}, Taylor at 2.2e-16 | {peer_ns / 1e3:.0f} | 1 | {angle(peer_end, truth):.1e} |
 {ratios}
 
-## The limit, and what was tried
+## The limit
 
-A state is about 240 additions and multiplications in each lane. At the measured 0.15 ns for an addition and a multiplication of eight
-lanes (0.17 ns for four) that is 2.3 ns a state with AVX-512 and 5 ns with AVX2; two divisions' worth and the turn from columns to
-rows add about 1.5 ns. One state alone waits for its own results: its chain is some 160 cycles long.
-
-What brought most, each measured on the machine of this page, whose own vector throughput swings by a third from hour to hour:
-
-- One theta function and the direction of L make the attitude, in place of two theta functions; two real polynomials make that one, as its
-  half angle goes with the precession (380 to 290 operations).
-- Below some 10⁹ turns a phase needs two words, and no reduction but one to quarter turns; longer times take a way of their own (290 to 240).
-- The quaternion is multiplied through before the division that scales it is done (one state: 60 to 42 ns with the line above).
-- Four short loops over four vectors each (a fleet: two), in place of two over 16 lanes: while one turn waits, the processor is in the next. In a long loop
-  fewer operations were no gain at all.
-- The stages live in one place that is never moved, and rows are written within the vectors' code (64 bodies: a tenth).
-- No closure that is not inlined, no branch among vectors, and nothing that lets the compiler gather across groups: each cost a factor.
-
-Tried and left: 4 and 16 lanes (a tenth to a half slower), eight vectors to a block (slower for fleets), recurrences for the theta
-functions, e^x from a division by e^−x.
+A state is about 240 additions and multiplications in each lane. At the measured 0.15 ns for an addition and a multiplication of eight lanes (0.17 ns for four) that is
+2.3 ns a state with AVX-512 and 5 ns with AVX2; two divisions and the transposition to rows add about 1.5 ns. One state alone is a dependency chain of some 160 cycles. The
+machine's vector throughput varies by a third from hour to hour.
 """
     (ROOT / "book/speed.md").write_text(page)
     sys.stdout.write(page)

@@ -455,15 +455,14 @@ def main():
     note = "compiled by numba" if is_compiled else "in plain Python, as numba is not installed: compiled ones are several times faster"
     page = f"""# Cost of accuracy under torque, compared with other programs
 
-Written by `crates/polhode/benches/work_precision.py`; run it again rather than believe this page. What a run costs from its start to one state
-at its end, against the angle (rad) between that attitude and the true one, which is from a Taylor series in {DIGITS} digits. Each point is one
-tolerance, or one length of step; lower and further left is better. Times are the least of {ROUNDS} round{'s' * (ROUNDS > 1)} on one core, set-up and compilation
-not counted.{busy}
+Written by `crates/polhode/benches/work_precision.py`. Time from the start to one state at the end, against the angle (rad) between that attitude and the
+true one, a Taylor series in {DIGITS} digits. Each point is one tolerance, or one length of step; lower and further left is better. Times are the
+least of {ROUNDS} round{'s' * (ROUNDS > 1)} on one core, without set-up and compilation.{busy}
 
 {processor()}, {first("rustc", "--version")}, commit {first("git", "rev-parse", "--short", "HEAD")}, {versions()}, Python {platform.python_version()}.
 
 SciPy's right-hand sides are {note}. MuJoCo has no gravity gradient of its own.
-`splitting` takes no damping; without a torque it is the exact motion, whatever the step.
+`splitting` takes no damping; without a torque it is exact.
 
 {chr(10).join(sections)}
 ## The problems
@@ -481,9 +480,9 @@ C-gg amplifies errors, so its span is short.
 
 ## At equal tolerance
 
-The two Taylor methods, given the same tolerance. What is left at 1e-15 is rounding, and one start is one draw of it: so there are twelve tops
-too, B with ω3 = 5 … 5.11 rad/s, of which the middle time and the middle error are shown. heyoka is called from Python: {call * 1e6:.2g} µs of each of
-its times are that call and the return to the start, those of polhode are from the call of `Simulation::states`, with its set-up.
+The two Taylor methods at the same tolerance. At 1e-15 the error is rounding, which depends on the start; the medians of twelve tops, B with
+ω3 = 5 … 5.11 rad/s, are therefore shown too. heyoka's times include {call * 1e6:.2g} µs of the call from Python and the return to the start; polhode's
+are of `Simulation::states`, with its set-up.
 
 | problem | tolerance | µs, polhode | heyoka | time, ratio | error, rad, polhode | heyoka | error, ratio |
 |---|---|---|---|---|---|---|---|

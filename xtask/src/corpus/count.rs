@@ -246,7 +246,7 @@ fn is_test(file: &str) -> bool {
 /// Returns the category of a refusal message.
 fn reason(message: &str) -> &str {
     for (part, class) in [
-        ("xacro", "xacro, which makes a model and is none"),
+        ("xacro", "unexpanded xacro"),
         ("well-formed XML", "XML that is not well-formed"),
         ("expected </", "XML that is not well-formed"),
         ("the end of the root element", "XML that is not well-formed"),

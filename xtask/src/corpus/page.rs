@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::Audited;
-use super::count::{Counts, NO_BODY};
+use super::count::{Counts, NO_BODY, RuleCounts};
 
 /// Names of the languages.
 const LANGUAGES: [(&str, &str); 5] =
@@ -29,14 +29,13 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
         parts => format!(", and {} more files that they include", count(parts)),
     };
     let mut text = format!(
-        "# Findings in public robot models\n\nWritten by `cargo xtask corpus`; run it again rather than believe this page. What `polhode check` finds in {} public \
-         repositories, each at the commit that is named below. No model is kept here.\n\n",
+        "# Findings in public robot models\n\nWritten by `cargo xtask corpus`: findings of `polhode check` in {} public repositories.\n\n",
         audited.len()
     );
     let _ = writeln!(
         text,
-        "{} different models were read{parts}, with {} links and {} inertials. **{} of {} files that say a mass have \
-         one that no body has, {}**: a tensor, or a mass. {} files have an impossible finding of any kind, {} a suspect one.",
+        "{} different models were read{parts}, with {} links and {} inertials. **{} of {} files with an inertial have \
+         an unphysical mass or tensor, {}**. {} files have an impossible finding of any kind, {} a suspect one.",
         count(read),
         count(all.links),
         count(all.inertials),
@@ -51,7 +50,7 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
             (all.impossible_bodies - largest.counts.impossible_bodies, all.weighed - largest.counts.weighed);
         let _ = writeln!(
             text,
-            "Without the repository of most files, {}, it is {} of {}, {}.",
+            "Without the largest repository, {}: {} of {}, {}.",
             largest.repository.name,
             count(bodies),
             count(weighed),
@@ -61,9 +60,8 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
     let rules: Vec<String> = NO_BODY.into_iter().map(linked).collect();
     let _ = writeln!(
         text,
-        "\nA file says a mass if an inertial stands in it. It has one that no body has if one of these rules finds it impossible: {}. A mass or tensor that \
-         is left out, or is no number, is not counted there, nor what is wrong with the tree. Links, inertials and findings are those of the file in \
-         which they stand, once, however many models include it; where these disagree the worst counts.",
+        "\nUnphysical are impossible findings of {}. Missing or invalid numbers and errors of the tree do not count. Links, inertials and \
+         findings are counted once, in the file that contains them.",
         rules.join(", ")
     );
     text
@@ -75,52 +73,55 @@ fn linked(code: &str) -> String {
 }
 
 fn by_repository(text: &mut String, audited: &[Audited], all: &Counts) {
-    text.push_str(
-        "\n## By repository\n\nModels that were read by language, files that were refused, and findings: a finding may name several links. A file \
-         with the same bytes as one in a row above, or in the same row, is a copy and not counted, and neither is one in a folder of tests, where \
-         models are wrong on purpose.\n\n| repository | commit | date | URDF | SDF | MJCF | USD | OpenSim | refused | copies | in tests | links | \
-         inertials | files with impossible | impossible | suspect | notes |\n|---|---|---|",
+    let languages =
+        LANGUAGES.map(|(key, name)| format!("{} {name}", count(all.read.get(key).copied().unwrap_or(0))));
+    let _ = write!(
+        text,
+        "\n## By repository\n\nModels: {}; {} files were refused. A finding may name several links. Not counted are {} copies, with the same bytes as \
+         another file, and {} files in folders of tests, where models are wrong on purpose. The link has the commit.\n\n| repository | models | \
+         inertials | files with impossible | impossible | suspect | notes |\n|---|{}\n",
+        languages.join(", "),
+        count(all.refused.values().sum()),
+        count(all.copies),
+        count(all.tests),
+        "--:|".repeat(6)
     );
-    text.push_str(&"--:|".repeat(14));
-    text.push('\n');
-    for Audited { repository, counts, .. } in audited {
+    let (impossible, others): (Vec<_>, Vec<_>) = audited.iter().partition(|one| one.counts.findings(0) > 0);
+    let link = |Audited { repository, .. }: &&Audited| {
         let name = &repository.name;
-        let commit: String = repository.commit.chars().take(9).collect();
-        let _ = write!(
-            text,
-            "| [{name}](https://github.com/{name}) | [{commit}](https://github.com/{name}/tree/{}) | {} |",
-            repository.commit, repository.date
-        );
-        row(text, counts);
+        format!("[{name}](https://github.com/{name}/tree/{})", repository.commit)
+    };
+    for one in &impossible {
+        let _ = write!(text, "| {} |", link(one));
+        row(text, &one.counts);
     }
-    text.push_str("| **all** | | |");
+    text.push_str("| **all** |");
     row(text, all);
+    let others: Vec<_> = others.iter().map(link).collect();
+    if !others.is_empty() {
+        let _ = writeln!(text, "\nWithout impossible findings: {}.", others.join(", "));
+    }
 }
 
 fn row(text: &mut String, counts: &Counts) {
-    let languages = LANGUAGES.iter().map(|(key, _)| counts.read.get(*key).copied().unwrap_or(0));
-    let rest = [
-        counts.refused.values().sum(),
-        counts.copies,
-        counts.tests,
-        counts.links,
+    let numbers = [
+        counts.files_read(),
         counts.inertials,
         counts.files[0],
         counts.findings(0),
         counts.findings(1),
         counts.findings(2),
     ];
-    for number in languages.chain(rest) {
+    for number in numbers {
         let _ = write!(text, " {} |", if number == 0 { String::new() } else { count(number) });
     }
     text.push('\n');
 }
 
 fn by_rule(text: &mut String, all: &Counts) {
-    text.push_str(
-        "\n## By rule\n\n| rule | impossible | suspect | notes | files | repositories |\n|---|--:|--:|--:|--:|--:|\n",
-    );
-    let mut rules: Vec<_> = all.rules.iter().collect();
+    text.push_str("\n## By rule\n\nRules with notes only are omitted.\n\n| rule | impossible | suspect | notes | files | repositories |\n|---|--:|--:|--:|--:|--:|\n");
+    let is_shown = |counts: &RuleCounts| counts.findings[..2] != [0, 0];
+    let mut rules: Vec<_> = all.rules.iter().filter(|(_, counts)| is_shown(counts)).collect();
     rules.sort_by(|(code, counts), (other, others)| {
         others.findings.cmp(&counts.findings).then_with(|| code.cmp(other))
     });
@@ -137,7 +138,7 @@ fn refused(text: &mut String, all: &Counts) {
     if all.refused.is_empty() {
         return;
     }
-    text.push_str("\n## Refused\n\n| why | files |\n|---|--:|\n");
+    text.push_str("\n## Refused\n\n| reason | files |\n|---|--:|\n");
     let mut reasons: Vec<_> = all.refused.iter().collect();
     reasons.sort_by(|(reason, files), (other, others)| others.cmp(files).then_with(|| reason.cmp(other)));
     for (reason, files) in reasons {
@@ -149,21 +150,18 @@ fn how(text: &mut String, audited: &[Audited]) {
     let seconds: f64 = audited.iter().map(|one| one.cost.seconds).sum();
     let memory = audited.iter().map(|one| one.cost.memory).max().unwrap_or(0);
     let cost = if memory > 0 {
-        format!(" All together took {seconds:.0} s of a processor, and {memory} MiB of memory at most.")
+        format!(" All took {seconds:.0} s of processor time, and {memory} MiB of memory at most.")
     } else {
         String::new()
     };
     let absent: usize = audited.iter().map(|one| one.repository.absent).sum();
     let _ = write!(
         text,
-        "\n## How\n\n```console\n$ cargo xtask corpus FOLDER…\n```\n\nEach folder is a work tree of a repository, at any commit; its name is that of \
-         `origin`, or OWNER/NAME at the end of its path. In it `polhode check . --json` runs, with the folders around all packages \
-         (`package.xml`, `model.config`) as `--root`.{cost}\n\n\
-         What these numbers are not:\n\n- A sample of all robots: the repositories are those that are well known and could be had.\n- A verdict on \
-         programs: some simulators take a tensor that no body has, and go on.\n- Complete. The work trees were snapshots that lack large files: {} of \
-         the commits' files were not there, nor symbolic links. What a mesh would have said of a link that lacks it is not in the numbers \
-         ([geometry.unreadable](rules.md#geometryunreadable)), and neither is what files elsewhere say \
-         ([read.include](rules.md#readinclude)).\n- Of macros: `.xacro` files are no models before they are expanded, and were not.\n",
+        "\n## Method\n\n```console\n$ cargo xtask corpus FOLDER…\n```\n\nEach folder is a work tree of a repository, named by `origin` or by OWNER/NAME at \
+         the end of its path. `polhode check . --json` runs in it, with the folders around all packages (`package.xml`, `model.config`) as `--root`.{cost}\n\n\
+         - The repositories are well known ones, not a sample of all robots.\n- Some simulators accept unphysical tensors.\n- The work trees were snapshots \
+         without large files: {} of the commits' files and the symbolic links were missing. Meshes ([geometry.unreadable](rules.md#geometryunreadable)) and \
+         files elsewhere ([read.include](rules.md#readinclude)) are not in the numbers.\n- `.xacro` files were not expanded.\n",
         count(absent)
     );
 }

@@ -12,8 +12,6 @@ pub(super) struct Repository {
     /// Name of the repository, `OWNER/NAME`.
     pub(super) name: String,
     pub(super) commit: String,
-    /// Date of the commit.
-    pub(super) date: String,
     pub(super) folder: PathBuf,
     /// Parent folders of packages, relative to the work tree.
     pub(super) roots: BTreeSet<PathBuf>,
@@ -29,8 +27,7 @@ impl Repository {
         let folder =
             std::fs::canonicalize(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
         let git = |arguments: &[&str]| output(Command::new("git").arg("-C").arg(&folder).args(arguments));
-        let head = git(&["log", "-1", "--format=%H %cs"])?;
-        let (commit, date) = head.trim().split_once(' ').ok_or("git says no commit")?;
+        let commit = git(&["log", "-1", "--format=%H"])?.trim().to_owned();
         let url = git(&["remote", "get-url", "origin"]).unwrap_or_else(|_| folder.display().to_string());
         let url = url.trim().trim_end_matches(".git").replace(['\\', ':'], "/");
         let mut last = url.rsplit('/');
@@ -44,7 +41,7 @@ impl Repository {
         let absent = listed.split('\0').filter(is_absent).count();
         let mut roots = BTreeSet::from([PathBuf::from(".")]);
         packages(&folder, Path::new("."), &mut roots)?;
-        Ok(Self { name, commit: commit.to_owned(), date: date.to_owned(), folder, roots, absent })
+        Ok(Self { name, commit, folder, roots, absent })
     }
 }
 

@@ -38,7 +38,7 @@ impl Ratios {
             let [least, middle, most] = [0.0, 0.5, 0.9].map(|p| quantile(ratios, p));
             format!("{} | {} | {}", down(least), down(middle), down(most))
         });
-        format!("| {name} | {} | {attitude} | {omega} | {} |\n", self.motions, self.low)
+        format!("| {name} | {} | {attitude} | {omega} |\n", self.motions)
     }
 }
 
@@ -97,6 +97,10 @@ fn no_estimate_is_below_half_of_the_error() {
         let [mut kinds, mut methods, mut all] = measured(&cases, effort);
         let total = all.get_mut("all").unwrap();
         let middle = [quantile(&mut total.attitude, 0.5), quantile(&mut total.omega, 0.5)];
+        if place == "cheap" {
+            // The page has cheap estimates by method only.
+            kinds.clear();
+        }
         let mut rows = String::new();
         for (name, ratios) in kinds.iter_mut().chain(&mut methods).chain(&mut all) {
             rows += &ratios.row(name);

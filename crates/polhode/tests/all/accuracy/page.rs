@@ -1,7 +1,5 @@
 //! The page: its text in `page.md`, with the numbers inserted.
 
-use std::fmt::Write as _;
-
 use crate::accuracy::Measured;
 use crate::accuracy::distant::DISTANT;
 use crate::accuracy::elliptic::{FUNCTIONS, Function};
@@ -15,12 +13,9 @@ const PAGE: &str = include_str!("page.md");
 /// Returns the page with its numbers.
 pub(crate) fn page(measured: &Measured) -> String {
     let Measured { groups, distant, functions, meshes, axes } = measured;
-    let mut group_list = String::new();
-    for (name, what) in free_motion::GROUPS {
-        writeln!(group_list, "- *{name}*: {what}").unwrap();
-    }
     let mut far = String::new();
-    for (case, error) in DISTANT.iter().zip(distant) {
+    let errors = DISTANT.iter().zip(distant).filter(|(_, error)| **error > free_motion::PROMISED);
+    for (case, error) in errors {
         far += &row([case.what.into(), case.periods.into(), up(*error)]);
     }
     let mut elliptic = String::new();
@@ -29,16 +24,14 @@ pub(crate) fn page(measured: &Measured) -> String {
         elliptic +=
             &row([(*name).into(), values.to_string(), (values - nearest).to_string(), ulps.to_string()]);
     }
-    let spans = free_motion::SPANS.map(|span| span.0).join(" | ");
+    let [early, .., late] = free_motion::SPANS;
     let (cases, rows): (usize, usize) =
         groups.iter().fold((0, 0), |(c, r), w| (c + w.cases, r + w.rows.iter().sum::<usize>()));
     PAGE.replace("{cases}", &cases.to_string())
         .replace("{rows}", &rows.to_string())
-        .replace("{spans}", &spans)
-        .replace("{groups}", &group_list)
-        .replace("{attitude}", &errors(groups, true, |w| w.attitude))
-        .replace("{omega}", &errors(groups, false, |w| w.omega))
-        .replace("{constants}", &constants(groups))
+        .replace("{spans}", &[early.0, late.0].join(" | "))
+        .replace("{bodies}", &bodies(groups))
+        .replace("{distant}", &distant.len().to_string())
         .replace("{far}", &far)
         .replace("{elliptic}", &elliptic)
         .replace("{meshes}", &mesh_rows(meshes))
@@ -86,23 +79,16 @@ fn row(cells: impl IntoIterator<Item = String>) -> String {
     format!("| {} |\n", cells.into_iter().collect::<Vec<_>>().join(" | "))
 }
 
-/// Returns rows of group, number of cases, number of rows, and an error for each span.
-fn errors(groups: &[Worst], rows: bool, of: impl Fn(&Worst) -> [f64; free_motion::SPANS.len()]) -> String {
-    let mut text = String::new();
-    let sum = |w: &Worst| w.rows.iter().sum::<usize>().to_string();
-    for ((name, _), worst) in free_motion::GROUPS.iter().zip(groups) {
-        let counts = if rows { vec![worst.cases.to_string(), sum(worst)] } else { Vec::new() };
-        let spans =
-            of(worst).into_iter().zip(worst.rows).map(|(e, n)| if n == 0 { "–".into() } else { up(e) });
-        text += &row([(*name).to_string()].into_iter().chain(counts).chain(spans));
-    }
-    text
-}
-
-fn constants(groups: &[Worst]) -> String {
-    let cells = |worst: &Worst| worst.constants.map(|error| error.map_or("–".into(), up));
-    let line =
-        |(group, worst): (&(&str, &str), &Worst)| row([group.0.to_string()].into_iter().chain(cells(worst)));
+/// Returns rows of group, bodies, number of cases, errors of the attitude in the first and last
+/// span, error of ω in all, and errors of the constants.
+fn bodies(groups: &[Worst]) -> String {
+    let line = |((name, bodies), worst): (&(&str, &str), &Worst)| {
+        let [early, .., late] = worst.attitude;
+        let omega = worst.omega.into_iter().fold(0.0, f64::max);
+        let head = [(*name).to_owned(), (*bodies).to_owned(), worst.cases.to_string()];
+        let constants = worst.constants.map(|error| error.map_or("–".into(), up));
+        row(head.into_iter().chain([early, late, omega].map(up)).chain(constants))
+    };
     free_motion::GROUPS.iter().zip(groups).map(line).collect()
 }
 

@@ -255,3 +255,56 @@ fn cholesky(covariance: &Matrix6) -> Result<Matrix6, IdentifyError> {
 
 /// Maximum number of rows sampled for the noise of the motion.
 const SAMPLED: usize = 200;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::payload::{MotionNoise, PayloadRow, WrenchSense};
+    use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Force, Torque};
+
+    /// The covariance of û is (Σ⁻¹ + Jᵀ V⁻¹ J)⁻¹, as of any combination of two independent
+    /// measurements of u: Σ of the motion, and V of the wrench.
+    #[test]
+    fn the_remaining_noise_is_that_of_two_measurements_together() {
+        let row = PayloadRow {
+            time: 0.3,
+            omega: AngularVelocity::new(1.3, -0.7, 2.1),
+            alpha: AngularAcceleration::new(-4.0, 3.1, 0.9),
+            acceleration: Acceleration::new(0.4, -1.2, 2.3),
+            gravity: Acceleration::new(3.0, -9.0, 2.5),
+            force: Force::new(3.0, 20.0, -4.0),
+            torque: Torque::new(0.2, -0.3, 0.5),
+        };
+        let deviations = MotionNoise { omega: 0.05, alpha: 2.0, acceleration: 0.7 };
+        let log = PayloadLog::new(vec![row], WrenchSense::OnPayload).unwrap();
+        let log = log.with_motion_noise(deviations).unwrap();
+        let mut regression = Regression::new(&log);
+        regression.regard_motion_noise();
+        let numbers = [1.7, 0.12, -0.2, 0.31, 0.09, 0.11, 0.07, -0.02, 0.013, -0.017];
+        let variances = [0.04, 0.09, 0.02, 0.003, 0.005, 0.002];
+        let noise: Matrix6 =
+            core::array::from_fn(|i| core::array::from_fn(|j| if i == j { variances[i] } else { 0.0 }));
+        let own = cholesky(&noise).unwrap();
+        let white = regression.whitened(0, &numbers, &noise, &own).unwrap();
+        let directions = regression.remaining(&white, &own);
+        let covariance = |i: usize, k: usize| directions.iter().map(|d| d[i] * d[k]).sum::<f64>();
+        let inverse = |k: usize, j: usize| {
+            let known = if k == j { regression.deviations[k].powi(-2) } else { 0.0 };
+            let measured = |i: usize| white.jacobian[i][k] * white.jacobian[i][j] / variances[i];
+            known + (0..6).map(measured).sum::<f64>()
+        };
+        for i in 0..9 {
+            for j in 0..9 {
+                let product: f64 = (0..9).map(|k| covariance(i, k) * inverse(k, j)).sum();
+                let want = f64::from(u8::from(i == j));
+                assert!((product - want).abs() < 1e-10, "{i} {j}: {product}");
+            }
+        }
+        // Both parts matter here: the wrench removes much of the noise of α and a − g, not all.
+        let [alpha, acceleration] = [covariance(3, 3) / 4.0, covariance(8, 8) / 0.49];
+        assert!(
+            (0.01..0.9).contains(&alpha) && (0.01..0.9).contains(&acceleration),
+            "{alpha} {acceleration}"
+        );
+    }
+}

@@ -28,7 +28,8 @@ use crate::stdout::print;
 
 /// Compute mass, centre of mass, inertia tensor, principal moments and axes.
 ///
-/// Input: scenarios (TOML), meshes, molecules, particles, voxel grids, CAD reports, robot models.
+/// Input: scenarios (TOML), meshes, molecules, particles, voxel grids, CAD reports, robot models, or
+/// the lengths of a shape (--box, --sphere, ...).
 /// The tensor is about the centre of mass, along body axes; its off-diagonal elements are minus the
 /// integrals, I_xy = -∫xy dm.
 #[derive(Debug, Args)]
@@ -36,6 +37,7 @@ use crate::stdout::print;
 Examples:
   polhode inertia bracket.stl --unit mm --material aluminium
   polhode inertia bracket.stl --unit mm --mass \"85 g\" --about \"0,0,12 mm\" --json
+  polhode inertia --box \"20 cm, 10 cm, 6 cm\" --mass \"2.5 kg\" --about corner
   polhode inertia arm.obj --part \"rod=steel\" --part \"grip=85 g\" --as urdf", robot::EXAMPLES, "
   polhode inertia torn.stl --unit mm --material steel --weld \"0.01 mm\" --write-mesh whole.stl
   polhode inertia gripper.stl --unit mm --material steel --union
@@ -60,7 +62,10 @@ impl Inertia {
         }
         let mut host = Command { robot: &self.robot, files: None, samples: None };
         let fits = |file: &Path| self.request.kind(file, &Disk, &host).map(drop);
-        if let Some(done) = robot::tables(&self.request.files, &self.robot, &self.output, fits) {
+        // A shape with --table is refused below.
+        if !self.request.primitive.is_given()
+            && let Some(done) = robot::tables(&self.request.files, &self.robot, &self.output, fits)
+        {
             return done;
         }
         host.files = Some(FileProgress::new(self.request.files.len()));

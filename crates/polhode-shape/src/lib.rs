@@ -10,7 +10,8 @@
 //! | [`voxel`] | densities on a grid: NPY and NRRD |
 //! | [`material`] | materials by name |
 //!
-//! [`run`] answers a [`Request`]: it reads files and returns the mass properties of their bodies.
+//! [`run`] answers a [`Request`]: it reads files and returns the mass properties of their bodies, or
+//! those of a shape without a file ([`PrimitiveChoice`]).
 //! An [`InertiaReport`] contains the mass properties of a body. [`export`](fn@export) writes a body
 //! in the format of another program.
 #![forbid(unsafe_code)]
@@ -30,9 +31,9 @@ pub mod voxel;
 pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use inertia::{
     Bodies, CadChoice, Corner, DensityFormula, FileBodies, Host, Kind, LengthUnit, MassUnit, MaterialNamed,
-    MeshBody, MeshBodyError, MeshChoice, MeshFile, MeshOrigin, MeshUse, MeshWords, MoleculeChoice,
-    PartSubstance, Point, Request, Spacing, SubstanceChoice, Turn, VoxelChoice, failed, in_body,
-    mass_assumed, noticed, run, run_in, voxel_report,
+    Measured, MeshBody, MeshBodyError, MeshChoice, MeshFile, MeshOrigin, MeshUse, MeshWords, MoleculeChoice,
+    PartSubstance, Point, Primitive, PrimitiveChoice, Request, Spacing, SubstanceChoice, Turn, VoxelChoice,
+    failed, in_body, mass_assumed, noticed, run, run_in, voxel_report,
 };
 pub use report::{InertiaReport, MoleculeReport};
 

@@ -323,3 +323,50 @@ fn reports_of_scenarios_and_robots_fit_the_schema() {
         require_fits(polhode_shape::REPORT_SCHEMA, &json(&joined));
     }
 }
+
+#[test]
+fn a_shape_needs_no_file() {
+    let scratch = Scratch::new("shape");
+    let brick = ["inertia", "--box", "62 cm, 38 cm, 14 cm", "--about", "corner"];
+    let of = |more: &[&str]| scratch.run(&[&brick[..], more].concat());
+    let text = stdout(&of(&["--mass", "2.3 kg"]));
+    for line in [
+        "box   a = 0.62 m, b = 0.38 m, c = 0.14 m; edges along x, y, z; centre at the origin",
+        "mass             2.3 kg   (69.73078 kg/m³ × 0.032984 m³)",
+        "inertia about (-0.31, -0.19, -0.07) m, along body axes, off-diagonal = -∫xy dm, in kg·m²",
+        "    -0.135470   0.309733  -0.030590",
+    ] {
+        assert!(text.lines().any(|printed| printed == line), "{line} in\n{text}");
+    }
+    let report = json(&of(&["--mass", "2.3 kg", "--json"]));
+    near(&report["inertia_about"]["tensor"][0][1], -2.3 * 0.62 * 0.38 / 4.0);
+    assert_eq!(report["source"]["lengths_m"]["b"], 0.38);
+    let cone = ["inertia", "--cone=3 cm, 10 cm", "--material=oak"];
+    let urdf = stdout(&scratch.run(&[&cone[..], &["--as", "urdf"]].concat()));
+    assert!(urdf.contains("<link name=\"cone\">") && urdf.contains("xyz=\"0 0 0.025\""), "{urdf}");
+    assert_eq!(stdout(&scratch.run(&[&cone[..], &["--csv"]].concat())).lines().count(), 2);
+
+    scratch.write("two.obj", TWO);
+    for (arguments, says) in [
+        (&["--box", "1 m, 2 m", "--mass", "1 kg"][..], "expected 3 lengths (a, b, c)"),
+        (&["--box", "-1 m, 2 m, 3 m", "--mass", "1 kg"], "the box's size = -1 must be positive"),
+        (&["--sphere", "-1 m", "--mass", "1 kg"], "the sphere's radius = -1 must be positive"),
+        (&["--box", "1, 2, 3", "--mass", "1 kg"], "has no unit"),
+        (&["--rod", "1e-310 m", "--mass", "1 kg"], "too small for f64"),
+        (&["--rod", "nan m", "--mass", "1 kg"], "is not a number"),
+        (&["--prism", "1 m", "--mass", "1 kg"], "unexpected argument '--prism'"),
+        (&["--sphere", "1 m"], "the mass of --sphere is missing"),
+        (&["--sphere", "1 m", "--mass", "1 kg", "--density", "5"], "cannot be used with"),
+        (&["--sphere", "1 m", "--rod", "1 m", "--mass", "1 kg"], "cannot be used with"),
+        (&["--sphere", "1 m", "--mass", "1 kg", "--about", "corner"], "--about corner is only for --box"),
+        (&["--sphere", "1 m", "--mass", "1 kg", "--about", "centre"], "is always printed"),
+        (&["--sphere", "1 m", "--mass", "1 kg", "--unit", "mm"], "but --sphere is a shape"),
+        (&["--sphere", "1 m", "--mass", "1 kg", "two.obj"], "--sphere and the file two.obj"),
+        (&["two.obj", "--mass", "1 kg", "--about", "corner"], "--about corner is only for --box"),
+        (&["--sphere", "1 m", "--mass", "1 kg", "--table"], "--table is only for a robot model"),
+        (&[], "<FILE>..."),
+    ] {
+        let text = refused(&scratch.run(&[&["inertia"], arguments].concat()), 2);
+        assert!(text.contains(says), "{arguments:?}: {text}");
+    }
+}

@@ -1,4 +1,4 @@
-//! Bodies of files of any kind.
+//! Bodies of files of any kind, and shapes without a file.
 
 use polhode::body::{BodyError, MassProperties, PlacedPart};
 use polhode::math::{Body, Part, Position, Rotation};
@@ -14,6 +14,7 @@ mod mesh_body;
 mod mesh_error;
 mod molecule;
 mod particles;
+mod primitive;
 mod request;
 mod run;
 mod voxel;
@@ -21,13 +22,14 @@ mod written;
 
 pub use bodies::{Bodies, FileBodies, failed, noticed};
 pub use choice::{
-    CadChoice, Corner, DensityFormula, MaterialNamed, MeshChoice, MoleculeChoice, PartSubstance, Spacing,
-    SubstanceChoice, VoxelChoice,
+    CadChoice, Corner, DensityFormula, MaterialNamed, MeshChoice, MoleculeChoice, PartSubstance,
+    PrimitiveChoice, Spacing, SubstanceChoice, VoxelChoice,
 };
 pub use host::Host;
 pub use kind::Kind;
 pub use mesh_body::{MeshBody, MeshOrigin, MeshUse, MeshWords, mass_assumed};
 pub use mesh_error::MeshBodyError;
+pub use primitive::{Measured, Primitive};
 pub use request::{LengthUnit, MassUnit, Point, Request, Turn};
 pub use run::{run, run_in};
 pub use voxel::voxel_report;

@@ -8,10 +8,11 @@ use polhode_source::given::{Given, point, positive, rotation, unit_named};
 use polhode_source::unit::Dimension;
 use serde::{Deserialize, Serialize};
 
-use super::choice::{CadChoice, MeshChoice, MoleculeChoice, SubstanceChoice, VoxelChoice};
+use super::choice::{CadChoice, MeshChoice, MoleculeChoice, PrimitiveChoice, SubstanceChoice, VoxelChoice};
 use super::kind::Kind;
 
-/// Request for the mass properties of bodies in files, with the values that the files omit.
+/// Request for the mass properties of bodies in files, with the values that the files omit, or of a
+/// shape.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -31,8 +32,12 @@ use super::kind::Kind;
 pub struct Request {
     /// Scenarios, meshes, molecules, particles, voxel grids, CAD reports, robots; the format
     /// follows from the file extension.
-    #[cfg_attr(feature = "arguments", arg(required = true, value_name = "FILE"))]
+    #[cfg_attr(feature = "arguments", arg(required_unless_present = "primitive", value_name = "FILE"))]
     pub files: Vec<PathBuf>,
+    /// Shape, instead of files.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "arguments", command(flatten))]
+    pub primitive: PrimitiveChoice,
     /// Substance of the whole body.
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
@@ -63,7 +68,7 @@ pub struct Request {
     #[cfg_attr(feature = "arguments", arg(long, value_name = "KIND"))]
     pub format: Option<Kind>,
     /// Also print the tensor about this point: x,y,z from the origin, each with its unit or in
-    /// metres.
+    /// metres; or "corner", of --box only: its corner at the smallest x, y and z.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with_all = ["csv", "as_format"]))]
     pub about: Option<Given<Point>>,
     /// Also print the tensor along axes rotated by this unit quaternion (scalar first, rotated axes
@@ -114,15 +119,24 @@ impl FromStr for MassUnit {
     }
 }
 
-/// Point of a body, body frame, m.
+/// Point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point(pub Position<Body>);
+pub enum Point {
+    /// Position from the origin, body frame, m.
+    At(Position<Body>),
+    /// Corner of a box with the smallest coordinates.
+    Corner,
+}
 
 impl FromStr for Point {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        point(text).map(Self)
+        match text.trim() {
+            "corner" => Ok(Self::Corner),
+            "centre" | "center" => Err("the tensor about the centre of mass is always printed (hint: leave out --about, or write x,y,z)".to_owned()),
+            _ => point(text).map(Self::At),
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use polhode::math::{Body, Position};
 use polhode_source::files::Files;
 use polhode_source::{ContentError, ContentErrorKind};
 use polhode_source::{Failure, read_file, shown};
@@ -9,7 +10,7 @@ use polhode_source::{Failure, read_file, shown};
 use super::bodies::{Bodies, FileBodies};
 use super::host::Host;
 use super::kind::Kind;
-use super::request::Request;
+use super::request::{Point, Request};
 use super::written::{MeshFile, written_format};
 use super::{cad, mesh, molecule, particles, voxel};
 use crate::brep::BrepFormat;
@@ -17,13 +18,14 @@ use crate::mesh::MeshFormat;
 use crate::molecule::MoleculeFormat;
 use crate::report::InertiaReport;
 
-/// Returns the mass properties of the bodies in files: meshes, molecules, particles, voxel grids
-/// and CAD reports.
+/// Returns the mass properties of the bodies in files (meshes, molecules, particles, voxel grids and
+/// CAD reports), or of a shape.
 ///
 /// A file that cannot be read has its failure in the result.
 ///
 /// # Errors
-/// [`Failure`] if a mesh is to be written for several files, or in a format that cannot be written.
+/// [`Failure`] if options contradict each other, if a shape lacks its mass, or if a mesh is to be
+/// written for several files, or in a format that cannot be written.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Bodies, Failure> {
     run_in(request, files, &mut ())
 }
@@ -39,6 +41,10 @@ pub fn run_in(request: &Request, files: &dyn Files, host: &mut dyn Host) -> Resu
             return Err(Failure::usage(message, "name one"));
         }
         written_format(target)?;
+    }
+    request.substance.refuse_several()?;
+    if let Some(shape) = request.primitive(host)? {
+        return Ok(Bodies { files: vec![shape], mesh: None });
     }
     let mut bodies = Bodies { files: Vec::new(), mesh: None };
     for path in &request.files {
@@ -83,7 +89,7 @@ impl Request {
                 format!("give its format by --format; scenarios are .toml, meshes {}", mesh_extensions()),
             ));
         };
-        self.refuse_options_for(kind, file, host)?;
+        self.refuse_options_for(Some(kind), &format!("{} is {}", shown(file), kind.in_words()), host)?;
         self.refuse_idle_units(kind, file, files)?;
         Ok(kind)
     }
@@ -116,12 +122,46 @@ impl Request {
                 vec![report]
             }
         };
-        reports.into_iter().map(|report| self.finished(report)).collect()
+        reports.into_iter().map(|report| self.finished(report, None)).collect()
     }
 
-    /// Adds the point and the axes of the request to a report.
-    fn finished(&self, report: InertiaReport) -> Result<InertiaReport, Failure> {
-        let about = self.about.as_ref().map(|point| point.value.0).or(report.about);
+    /// Returns the report of the requested shape; its name serves as its path.
+    fn primitive(&self, host: &dyn Host) -> Result<Option<FileBodies>, Failure> {
+        let shape = match (self.primitive.given().as_slice(), self.files.first()) {
+            ([], _) => return Ok(None),
+            ([shape], None) => *shape,
+            ([shape], Some(file)) => {
+                let message =
+                    format!("--{} and the file {} contradict each other", shape.name(), shown(file));
+                return Err(Failure::usage(message, "give a shape or files, not both"));
+            }
+            ([first, second, ..], _) => {
+                let message = format!("--{} and --{} contradict each other", first.name(), second.name());
+                return Err(Failure::usage(
+                    message,
+                    "give one shape; several form a body in a scenario file",
+                ));
+            }
+        };
+        self.refuse_options_for(None, &format!("--{} is a shape", shape.name()), host)?;
+        let report = self.finished(shape.report(self.substance.given())?, shape.corner())?;
+        Ok(Some(FileBodies { path: shape.name().into(), reports: Ok(vec![report]) }))
+    }
+
+    /// Adds the point and the axes of the request to a report. `corner` is the corner of a box.
+    fn finished(
+        &self,
+        report: InertiaReport,
+        corner: Option<Position<Body>>,
+    ) -> Result<InertiaReport, Failure> {
+        let about = match self.about.as_ref().map(|point| point.value) {
+            None => report.about,
+            Some(Point::At(point)) => Some(point),
+            Some(Point::Corner) => Some(corner.ok_or_else(|| {
+                let hint = "write the point as x,y,z from the origin, such as --about \"0,0,12 mm\"";
+                Failure::usage("--about corner is only for --box", hint)
+            })?),
+        };
         if let Some(point) = about
             && report.properties.inertia_about(point).matrix().iter().flatten().any(|e| !e.is_finite())
         {
@@ -134,27 +174,30 @@ impl Request {
         Ok(InertiaReport { about, axes, ..report })
     }
 
-    /// Returns an error for an option that does not apply to this kind of file.
-    fn refuse_options_for(&self, kind: Kind, file: &Path, host: &dyn Host) -> Result<(), Failure> {
+    /// Returns an error for an option that does not apply to this kind of file, or to a shape
+    /// (`None`). `body` states the kind in words.
+    fn refuse_options_for(&self, kind: Option<Kind>, body: &str, host: &dyn Host) -> Result<(), Failure> {
         const SUBSTANCE: &str = "--density, --mass or --material";
-        let mesh = kind.is_mesh();
-        let voxels = matches!(kind, Kind::Npy | Kind::Nrrd);
-        let listed = matches!(kind, Kind::Cad | Kind::Particles);
+        let is = |some: Kind| kind == Some(some);
+        let mesh = kind.is_some_and(Kind::is_mesh);
+        let voxels = is(Kind::Npy) || is(Kind::Nrrd);
+        let listed = is(Kind::Cad) || is(Kind::Particles);
         // Points without masses share the total mass.
         let has_substance =
-            mesh || kind == Kind::Cad || kind == Kind::Particles && self.substance.mass().is_some();
+            mesh || kind.is_none() || is(Kind::Cad) || is(Kind::Particles) && self.substance.mass().is_some();
         let checks = [
+            (self.format.and(Some("--format")), kind.is_some(), "a file"),
             (self.substance.given().and(Some(SUBSTANCE)), has_substance, "a mesh or the measures of a shape"),
             (
                 self.unit.as_ref().and(Some("--unit")),
-                mesh || kind == Kind::Nrrd || listed,
+                mesh || is(Kind::Nrrd) || listed,
                 "a mesh, an NRRD grid, particles or a CAD report",
             ),
             (self.mass_unit.as_ref().and(Some("--mass-unit")), listed, "particles or a CAD report"),
             (self.mesh.given(), mesh, "a mesh"),
-            (self.cad.given(), kind == Kind::Cad, "a CAD report"),
-            (self.molecule.given(), matches!(kind, Kind::Xyz | Kind::Mol | Kind::Pdb), "a molecule"),
-            (host.robot_option(), kind == Kind::Robot, "a robot model"),
+            (self.cad.given(), is(Kind::Cad), "a CAD report"),
+            (self.molecule.given(), is(Kind::Xyz) || is(Kind::Mol) || is(Kind::Pdb), "a molecule"),
+            (host.robot_option(), is(Kind::Robot), "a robot model"),
             (self.voxel.given(), voxels, "a voxel grid"),
         ];
         let refused =
@@ -162,10 +205,11 @@ impl Request {
         match refused {
             None => Ok(()),
             Some((option, owner)) => Err(Failure::usage(
-                format!("{option} is only for {owner}, but {} is {}", shown(file), kind.in_words()),
+                format!("{option} is only for {owner}, but {body}"),
                 match kind {
-                    Kind::Scenario => "a scenario states the substance and the units of each part",
-                    _ => "delete it, or give the kind of the file by --format",
+                    None => "delete it",
+                    Some(Kind::Scenario) => "a scenario states the substance and the units of each part",
+                    Some(_) => "delete it, or give the kind of the file by --format",
                 },
             )),
         }

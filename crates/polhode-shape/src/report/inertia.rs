@@ -57,11 +57,11 @@ pub struct InertiaReport {
 }
 
 impl InertiaReport {
-    /// Sets the volume, m³, and the mean density if it is finite.
+    /// Sets the volume, m³, and the mean density unless it overflows or underflows.
     #[must_use]
     pub fn with_volume(self, volume: Option<f64>) -> Self {
         let density =
-            volume.map(|volume| self.properties.mass() / volume).filter(|density| density.is_finite());
+            volume.map(|volume| self.properties.mass() / volume).filter(|density| density.is_normal());
         Self { volume, density, ..self }
     }
 

@@ -12,6 +12,7 @@ mod off;
 mod particles;
 mod ply;
 mod points;
+mod primitive;
 mod request;
 #[path = "../../../polhode-robot/tests/all/common/schema.rs"]
 mod schema;

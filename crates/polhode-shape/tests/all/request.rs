@@ -99,7 +99,8 @@ fn the_examples_fit_the_schema() {
 #[test]
 fn requests_fit_the_schema() {
     let full = json!({
-        "files": ["a.stl"], "density": null, "mass": "85 g", "material": null, "part": ["rod=steel", "grip=85 g"],
+        "files": ["a.stl"], "box": "20 cm, 10 cm, 6 cm", "sphere": "1 m", "ellipsoid": "(3, 2, 1) mm", "cylinder": "1 m, 2 m",
+        "capsule": "1 m, 2 m", "cone": "1 m, 2 m", "torus": "2 m, 1 m", "rod": "1 m", "disk": "1 m", "density": null, "mass": "85 g", "material": null, "part": ["rod=steel", "grip=85 g"],
         "hull": true, "shell": "1 mm", "field": "2700 - 300*hypot(x, y)", "tolerance": "1e-6", "weld": "0.01 mm",
         "fill": "2 mm", "union": true, "write-mesh": "b.stl", "unit": "mm", "mass-unit": "g",
         "isotopes": "average", "products": "negative", "decimal": "comma", "spacing": "1 mm,1 mm,2 mm",

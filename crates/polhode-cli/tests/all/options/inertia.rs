@@ -25,6 +25,7 @@ const ANY: &[&str] = &[
     "holed",
     "again",
     "parts overlapping",
+    "shape",
 ];
 const MESHES: &[&str] = &[
     "parts",
@@ -39,6 +40,23 @@ const MESHES: &[&str] = &[
     "holed unnamed",
     "parts overlapping",
 ];
+/// Inputs for the options of the substance; a shape has no other.
+const SUBSTANCES: &[&str] = &[
+    "parts",
+    "stl",
+    "unnamed",
+    "torn",
+    "holed",
+    "again",
+    "torn again",
+    "holed again",
+    "torn unnamed",
+    "holed unnamed",
+    "parts overlapping",
+    "bare shape",
+];
+/// Inputs for shapes: with a mass, and without a substance.
+const SHAPES: &[&str] = &["shape", "bare shape"];
 const NAMED: &[&str] = &[
     "parts",
     "unnamed",
@@ -76,11 +94,22 @@ static INERTIA: Subcommand = Subcommand {
         ("molecule", &["water.xyz"]),
         ("robot", &["arm.urdf"]),
         ("grid", &["grid.npy"]),
+        ("shape", &["--mass", "85 g"]),
+        ("bare shape", &[]),
     ],
     options: &[
-        choice("--density", &["--density", "2.7 g/cm^3"], MESHES, &[]),
-        choice("--mass", &["--mass", "85 g"], MESHES, &[]),
-        choice("--material", &["--material", "steel"], MESHES, &[]),
+        choice("--box", &["--box", "20 cm, 10 cm, 6 cm"], SHAPES, &[]),
+        choice("--sphere", &["--sphere", "7 cm"], SHAPES, &[]),
+        choice("--ellipsoid", &["--ellipsoid", "(12, 8, 5) cm"], SHAPES, &[]),
+        choice("--cylinder", &["--cylinder", "2 cm, 5 cm"], SHAPES, &[]),
+        choice("--capsule", &["--capsule", "2 cm, 5 cm"], SHAPES, &[]),
+        choice("--cone", &["--cone", "3 cm, 10 cm"], SHAPES, &[]),
+        choice("--torus", &["--torus", "5 cm, 2 cm"], SHAPES, &[]),
+        choice("--rod", &["--rod", "30 cm"], SHAPES, &[]),
+        choice("--disk", &["--disk", "9 cm"], SHAPES, &[]),
+        choice("--density", &["--density", "2.7 g/cm^3"], SUBSTANCES, &[]),
+        choice("--mass", &["--mass", "85 g"], SUBSTANCES, &[]),
+        choice("--material", &["--material", "steel"], SUBSTANCES, &[]),
         choice("--part", &["--part", "rod=oak"], NAMED, &[]),
         choice("--hull", &["--hull"], MESHES, &[]),
         choice(

@@ -195,7 +195,7 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             }
             scratch.write("gyro.csv", &text);
         }
-        "hung" => {}
+        "hung" | "shape" | "bare shape" => {}
         "given" => {
             fs::copy(crate::common::example("slew.toml"), scratch.0.join("slew.toml")).unwrap();
         }

@@ -79,6 +79,7 @@ impl MeshChoice {
             (self.hull, "--hull"),
             (self.shell.is_some(), "--shell"),
             (self.field.is_some(), "--field"),
+            (self.tolerance.is_some(), "--tolerance"),
             (self.weld.is_some(), "--weld"),
             (self.fill.is_some(), "--fill"),
             (self.union, "--union"),

@@ -4,6 +4,7 @@ use std::str::FromStr;
 
 use polhode::body::Material;
 use polhode::body::shape::Substance;
+use polhode_source::Failure;
 use polhode_source::given::{Density, Given, Mass, Positive};
 use serde::{Deserialize, Serialize};
 
@@ -15,13 +16,13 @@ use crate::material::UnknownMaterial;
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args), group(multiple = false))]
 pub struct SubstanceChoice {
-    /// Density of a mesh, such as "2700 kg/m^3" or "2.7 g/cm^3".
+    /// Density of a mesh or shape, such as "2700 kg/m^3" or "2.7 g/cm^3".
     #[cfg_attr(feature = "arguments", arg(long))]
     pub density: Option<Given<Positive<Density>>>,
-    /// Mass of a mesh or of a point cloud, such as "85 g".
+    /// Mass of a mesh, shape or point cloud, such as "85 g".
     #[cfg_attr(feature = "arguments", arg(long))]
     pub mass: Option<Given<Positive<Mass>>>,
-    /// Material of a mesh by name, such as aluminium or steel.
+    /// Material of a mesh or shape by name, such as aluminium or steel.
     #[cfg_attr(feature = "arguments", arg(long))]
     pub material: Option<Given<MaterialNamed>>,
 }
@@ -31,6 +32,20 @@ impl SubstanceChoice {
         let density = self.density.as_ref().map(|density| density.value.0.0);
         let density = density.or_else(|| Some(self.material.as_ref()?.value.0.density));
         density.map(Substance::Density).or(self.mass().map(Substance::Mass))
+    }
+
+    /// Returns an error if several of the options are set.
+    pub(in crate::inertia) fn refuse_several(&self) -> Result<(), Failure> {
+        let set = [
+            self.density.as_ref().map(|_| "--density"),
+            self.mass.as_ref().map(|_| "--mass"),
+            self.material.as_ref().map(|_| "--material"),
+        ];
+        let set: Vec<_> = set.into_iter().flatten().collect();
+        if set.len() < 2 {
+            return Ok(());
+        }
+        Err(Failure::usage(format!("{} contradict each other", set.join(" and ")), "give one of them"))
     }
 
     /// Returns the mass, kg, if it is given.

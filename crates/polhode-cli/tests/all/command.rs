@@ -456,29 +456,6 @@ fn the_name_of_a_unit_is_asked_for_by_a_name() {
     }
 }
 
-#[test]
-fn a_new_scenario_runs_and_is_never_overwritten() {
-    let scratch = Scratch::new("new");
-    for name in ["drone", "top", "satellite", "asteroid", "robot-link"] {
-        let text = stdout(&scratch.run(&["new", name]));
-        assert!(text.contains(&format!("polhode simulate {name}.toml --open")), "{text}");
-        stdout(&scratch.run(&["inertia", &format!("{name}.toml")]));
-        stdout(&scratch.run(&["explain", &format!("{name}.toml")]));
-        stdout(&scratch.run(&["stability", &format!("{name}.toml")]));
-        let text = refused(&scratch.run(&["new", name]), 2);
-        assert!(text.contains("already exists"), "{text}");
-    }
-    let text = stdout(&scratch.run(&["simulate", "asteroid.toml", "--open"]));
-    assert!(
-        text.contains("trajectory.csv") && !text.contains("parquet") && !text.contains("browser"),
-        "{text}"
-    );
-    stdout(&scratch.run(&["new", "top", "-o", "deep/er/mine.toml"]));
-    let text = fs::read_to_string(scratch.0.join("deep/er/mine.toml")).unwrap();
-    assert!(text.contains("polhode simulate deep/er/mine.toml --open") && !text.contains(" top.toml"));
-    refused(&scratch.run(&["new", "toaster"]), 2);
-}
-
 /// Failure to start a browser is only a note.
 #[test]
 fn a_page_that_cannot_be_opened_is_written() {

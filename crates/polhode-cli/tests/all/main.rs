@@ -50,6 +50,7 @@ mod schemas;
 mod spin;
 mod stability;
 mod stability_ground;
+mod starters;
 mod sweep;
 mod sweep_kill;
 mod torque;

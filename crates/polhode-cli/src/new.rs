@@ -27,7 +27,7 @@ pub(crate) struct New {
     output: Option<PathBuf>,
 }
 
-/// Example file.
+/// Example that `polhode new` can write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Starter {
     /// Table-tennis bat that flips in flight.
@@ -148,9 +148,8 @@ fn list() -> String {
         Some((value.get_name().to_owned(), value.get_help()?.to_string(), starter.template().next))
     });
     let rows: Vec<(String, String, &str)> = values.collect();
-    let width = |of: fn(&(String, String, &str)) -> &str| rows.iter().map(|row| of(row).len()).max();
-    let name_width = width(|(name, ..)| name).unwrap_or(0);
-    let help_width = width(|(_, help, _)| help).unwrap_or(0);
+    let name_width = rows.iter().map(|(name, ..)| name.len()).max().unwrap_or(0);
+    let help_width = rows.iter().map(|(_, help, _)| help.len()).max().unwrap_or(0);
     let lines =
         rows.iter().map(|(name, help, next)| format!("  {name:name_width$}  {help:help_width$}  {next}\n"));
     format!(

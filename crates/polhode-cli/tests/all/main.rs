@@ -23,6 +23,7 @@ mod example_files;
 mod explain;
 mod fix;
 mod gimbals;
+mod hints;
 mod identify;
 mod identify_body;
 mod identify_next;
@@ -38,6 +39,8 @@ mod measures;
 mod mend;
 mod mesh;
 mod names;
+#[path = "../../../polhode-source/tests/common/obey.rs"]
+mod obey;
 mod options;
 mod page;
 mod picture;

@@ -12,6 +12,8 @@ use polhode::motion::Scenario;
 use polhode_scenario::read as scenario;
 use polhode_source::{FormatError, FormatErrorKind};
 
+use crate::obey;
+
 const BALL: &str = "[[body.part]]\nshape = 'sphere'\nradius = '20 mm'\nmass = '0.5 kg'\n";
 const RUN: &str = "[run]\nduration = '1 s'\n";
 
@@ -20,7 +22,7 @@ fn parse(text: &str) -> Result<Scenario, FormatError> {
 }
 
 /// Checks that `text` is refused with this message, and with a hint that starts with `hint`. The
-/// characters « and » enclose the place of the error.
+/// characters « and » enclose the place of the error. A hint that can be followed is followed.
 #[track_caller]
 fn refuses(text: &str, message: &str, hint: &str) -> FormatError {
     let start = text.find('«').expect("a mark");
@@ -45,6 +47,8 @@ fn refuses(text: &str, message: &str, hint: &str) -> FormatError {
     );
     let given = error.hint().unwrap_or_default();
     assert!(given.starts_with(hint) && hint.is_empty() == given.is_empty(), "hint: {given}");
+    let parts = |error: &FormatError| (error.message(), error.place().map(|place| place.span.clone()));
+    obey::check(&plain, (message, &place.span, &given), |text| parse(text).map(drop), parts);
     error
 }
 

@@ -202,7 +202,7 @@ const TABLES: [(&str, &str); 21] = [
     ("to", "\"nadir\", or { space = [1, 0, 0] }"),
     ("then", "\"stop\", or { switch = \"thruster\", on = false }"),
     ("spin", "{ body = [0, 0, \"12 rad/s\"] }"),
-    ("omega", "{ body = [\"0\", \"0\", \"2*t\"] }"),
+    ("omega", "{ body = [\"0\", \"0\", \"2[rad/s^2]*t\"] }"),
     ("attitude rotate", "{ axis = [0, 0, 1], angle = \"90 deg\" }"),
     ("pulses", "{ width = \"0.2 s\", period = \"5 s\" }"),
     ("balance", "{ planes = [0, \"0.2 m\"], radii = [\"50 mm\", \"50 mm\"] }"),

@@ -33,7 +33,17 @@ pub fn obey(text: &str, at: &Range<usize>, hint: &str) -> Option<Obeyed> {
             let lines: Vec<&str> = codes.iter().copied().filter(|code| key(code).is_some()).collect();
             Some(put(text, &(text.len()..text.len()), &format!("\n{header}\n{}\n", lines.join("\n"))))
         }
+        (_, Some(line)) if hint.contains(" in place of ") => {
+            let entry = entry_at(text, at)?;
+            Some(put(text, &entry, line))
+        }
         (_, Some(line)) => Some(assign(text, at, line)),
+        (None, None) if hint.contains("leave out ") => {
+            let (_, key) = hint.split_once("leave out ")?;
+            let key = key.split([' ', ',', ';', ':']).next()?;
+            let entry = entry_at(text, at).filter(|entry| text[entry.clone()].starts_with(key))?;
+            Some(put(text, &entry, ""))
+        }
         _ => codes.first().filter(|code| !is_header(code)).map(|code| put(text, at, code)),
     }
 }
@@ -54,10 +64,18 @@ pub fn codes(hint: &str) -> Vec<&str> {
         for (start, _) in hint.match_indices(verb) {
             let before = hint[..start].chars().next_back();
             let begin = start + verb.len();
-            if before.is_none_or(|c| !c.is_alphanumeric())
-                && let Some(code) = code(&hint[begin..])
-            {
-                codes.push((begin, code));
+            if before.is_some_and(char::is_alphanumeric) {
+                continue;
+            }
+            let mut next = begin;
+            // More assignments follow after commas.
+            while let Some(code) = code(&hint[next..]) {
+                codes.push((next, code));
+                let end = next + code.len();
+                if key(code).is_none() || !hint[end..].starts_with(", ") {
+                    break;
+                }
+                next = end + 2;
             }
         }
     }
@@ -136,12 +154,18 @@ fn assign(text: &str, at: &Range<usize>, line: &str) -> Obeyed {
         let start = if at.start == 0 && at.is_empty() { 0 } else { after };
         return put(text, &(start..start), &format!("\n{line}\n"));
     }
-    let entries = entries(text);
-    let Some(entry) =
-        entries.into_iter().filter(|it| it.start <= at.start && at.end <= it.end).max_by_key(|it| it.start)
-    else {
-        return put(text, at, line);
+    let Some(entry) = entry_at(text, at) else { return put(text, at, line) };
+    // A key that the table has is changed, not added.
+    let table = text[..at.start].rfind("\n[").unwrap_or(0)
+        ..text[at.start..].find("\n[").map_or(text.len(), |end| at.start + end);
+    let has_key = |it: &&Range<usize>| {
+        table.contains(&it.start)
+            && text[it.start..].starts_with(&format!("{key} "))
+            && (it.start == 0 || text[..it.start].ends_with('\n'))
     };
+    if let Some(other) = entries(text).iter().find(has_key) {
+        return put(text, other, line);
+    }
     let own = text[entry.clone()].split([' ', '=']).next().unwrap_or_default();
     if own == key || at.start == entry.start && at.end <= entry.start + own.len() {
         return put(text, &entry, line);
@@ -151,6 +175,12 @@ fn assign(text: &str, at: &Range<usize>, line: &str) -> Obeyed {
     let inline = text[line_start..entry.start].contains(['{', '[']);
     let with = if inline { format!("{line}, ") } else { format!("{line}\n") };
     put(text, &(entry.start..entry.start), &with)
+}
+
+/// Returns the innermost entry that contains a place.
+fn entry_at(text: &str, at: &Range<usize>) -> Option<Range<usize>> {
+    let around = entries(text).into_iter().filter(|it| it.start <= at.start && at.end <= it.end);
+    around.max_by_key(|it| it.start)
 }
 
 /// Returns the ranges of all `key = value`, also those in inline tables.

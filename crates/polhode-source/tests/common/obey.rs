@@ -14,11 +14,16 @@ pub struct Obeyed {
 /// has nothing that can be copied, such as "check its sign".
 pub fn obey(text: &str, at: &Range<usize>, hint: &str) -> Option<Obeyed> {
     if let Some(name) = meant(hint) {
-        // A name without quotes replaces what is in them.
+        // A name without quotes replaces what is in them; a unit, the word after the number.
         let marked = &text[at.clone()];
-        let quote = marked.chars().next().filter(|c| "\"'".contains(*c) && !name.starts_with(['"', '\'']));
-        let name = quote.map_or(name.to_owned(), |quote| format!("{quote}{name}{quote}"));
-        return Some(put(text, at, &name));
+        let (mut from, mut to) = (at.start, at.end);
+        if marked.starts_with(['"', '\'']) && !name.starts_with(['"', '\'']) {
+            (from, to) = (from + 1, to - 1);
+        }
+        if let Some(space) = text[from..to].rfind(' ').filter(|_| !name.contains(' ')) {
+            from += space + 1;
+        }
+        return Some(put(text, &(from..to), name));
     }
     let codes = codes(hint);
     let (header, line) =
@@ -30,8 +35,11 @@ pub fn obey(text: &str, at: &Range<usize>, hint: &str) -> Option<Obeyed> {
             Some(put(text, &(end..end), &format!("{line}\n")))
         }
         (Some(header), Some(_)) => {
+            // The key is in the wrong table.
+            let wrong = entry_at(text, at).filter(|_| hint.contains("in place of it"));
+            let text = wrong.map_or(text.to_owned(), |entry| put(text, &entry, "").text);
             let lines: Vec<&str> = codes.iter().copied().filter(|code| key(code).is_some()).collect();
-            Some(put(text, &(text.len()..text.len()), &format!("\n{header}\n{}\n", lines.join("\n"))))
+            Some(put(&text, &(text.len()..text.len()), &format!("\n{header}\n{}\n", lines.join("\n"))))
         }
         (_, Some(line)) if hint.contains(" in place of ") => {
             let entry = entry_at(text, at)?;
@@ -155,6 +163,10 @@ fn assign(text: &str, at: &Range<usize>, line: &str) -> Obeyed {
         return put(text, &(start..start), &format!("\n{line}\n"));
     }
     let Some(entry) = entry_at(text, at) else { return put(text, at, line) };
+    let own = text[entry.clone()].split([' ', '=']).next().unwrap_or_default();
+    if marked.starts_with('{') && own != key {
+        return put(text, &(at.start + 1..at.start + 1), &format!(" {line},"));
+    }
     // A key that the table has is changed, not added.
     let table = text[..at.start].rfind("\n[").unwrap_or(0)
         ..text[at.start..].find("\n[").map_or(text.len(), |end| at.start + end);
@@ -166,7 +178,6 @@ fn assign(text: &str, at: &Range<usize>, line: &str) -> Obeyed {
     if let Some(other) = entries(text).iter().find(has_key) {
         return put(text, other, line);
     }
-    let own = text[entry.clone()].split([' ', '=']).next().unwrap_or_default();
     if own == key || at.start == entry.start && at.end <= entry.start + own.len() {
         return put(text, &entry, line);
     }
@@ -215,11 +226,13 @@ pub fn check<E>(
     let Some(obeyed) = obey(text, at, hint) else { return false };
     if let Err(again) = read(&obeyed.text) {
         let (again, place) = parts(&again);
-        let in_it = place.is_some_and(|place| {
-            !place.is_empty() && obeyed.written.start <= place.start && place.end <= obeyed.written.end
-        });
+        let place = place.unwrap_or(0..0);
+        let in_it =
+            !place.is_empty() && obeyed.written.start <= place.start && place.end <= obeyed.written.end;
+        // The next element of a list may have the same mistake.
+        let is_next = obeyed.written.end <= place.start;
         assert!(
-            again != message && !in_it,
+            (again != message || is_next) && !in_it,
             "{message}\nhint: {hint}\nfollowed:\n{}\nwhich is refused too: {again}",
             obeyed.text
         );

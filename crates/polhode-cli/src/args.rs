@@ -115,7 +115,8 @@ impl Command {
 }
 
 /// Returns the usage error with a useful tip. For a value that begins with `-`, clap suggests `--`
-/// in front of it. That is correct for a file name, and wrong for the value of an option.
+/// in front of it. That is correct for a file name, and wrong for the value of an option and for an
+/// unknown option.
 pub(crate) fn with_tip(mut refusal: clap::Error, given: &[OsString]) -> clap::Error {
     let Some(ContextValue::String(found)) = refusal.get(ContextKind::InvalidArg).cloned() else {
         return refusal;
@@ -130,8 +131,13 @@ pub(crate) fn with_tip(mut refusal: clap::Error, given: &[OsString]) -> clap::Er
         }
         _ => None,
     });
-    if let Some(tip) = joined.filter(|_| refusal.kind() == ErrorKind::UnknownArgument) {
-        refusal.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+    if refusal.kind() == ErrorKind::UnknownArgument {
+        if let Some(tip) = joined {
+            refusal.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip.into()]));
+        } else if found.starts_with("--") {
+            // An unknown option is not a file name.
+            refusal.remove(ContextKind::Suggested);
+        }
     }
     refusal
 }

@@ -39,7 +39,7 @@ impl<'a> Judge<'a> {
             let message = format!("--step applies to one run only, but {} is a second one", shown(second));
             return Err(Failure::usage(
                 message,
-                "write the step into each run: a line `# step = 0.001` before the header",
+                "leave out --step, and write the step into each run: a line `# step = 0.001` before the header",
             ));
         }
         let columns = self.request.read_as.columns.as_ref().map(|columns| &columns.value);

@@ -318,9 +318,11 @@ impl UnitError {
     /// [`factor`].
     pub fn hint_for_name(&self) -> Option<String> {
         match self {
-            Self::WrongDimension { expected, .. } => expected
-                .example()
-                .map(|example| format!("write a unit of {expected}, such as {}", unit_of(example))),
+            Self::WrongDimension { expected, .. } => expected.example().map(|example| {
+                let name = expected.to_string();
+                let name = name.trim_start_matches("a ").trim_start_matches("an ");
+                format!("write a unit of {name}, such as {}", unit_of(example))
+            }),
             _ => self.hint(),
         }
     }

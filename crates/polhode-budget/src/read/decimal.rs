@@ -55,7 +55,7 @@ pub(crate) fn comma(
         (Some(_), None, _) | (None, None, None) => Ok(false),
         (None, None, Some(open)) => {
             let question = "is this a decimal mark or a thousands separator?".to_owned();
-            let hint = "write decimal = \"comma\" or decimal = \"point\" in the header";
+            let hint = "write # decimal = \"comma\" or # decimal = \"point\" above the headings";
             Err(unclear(sheet, &open, question).with_hint(hint))
         }
     }

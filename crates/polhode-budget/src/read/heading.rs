@@ -256,8 +256,8 @@ fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
     let suggestion = nearest(name, known.iter().copied());
     let (key, table) = (cell.text.to_string(), "the headings".to_owned());
     let error = sheet.error(cell, FormatErrorKind::UnknownKey { key, table, suggestion, known });
-    let hint =
-        format!("or add ignore = [\"{}\"] to the header if it is a remark", shown(cell).replace('"', "'"));
+    let ignore = format!("ignore = [\"{}\"]", shown(cell).replace('"', "'"));
+    let hint = format!("or add {}, if it is a remark", sheet.as_key(&ignore));
     // Keys that share a word with the heading: all radii for an unknown radius.
     let has_word = |key: &&str| key.split(' ').any(|word| name.split(' ').any(|own| own == word));
     let alike: Vec<&str> = KEYS.iter().map(|key| key.name).filter(has_word).collect();

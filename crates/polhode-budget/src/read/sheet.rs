@@ -51,6 +51,14 @@ impl<'a> Sheet<'a> {
         }
     }
 
+    /// Returns a key with the place where this file has keys, for advice.
+    pub(crate) fn as_key(&self, key: &str) -> String {
+        match &self.body {
+            Body::Text { .. } => format!("# {key} above the headings"),
+            Body::Workbook { .. } => format!("{key} in the sheet \"plan\""),
+        }
+    }
+
     /// Returns the cells of a row.
     pub(crate) fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
         match &self.body {

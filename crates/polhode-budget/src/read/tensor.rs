@@ -58,9 +58,11 @@ impl<'s, 'a> Rows<'s, 'a> {
             (None, None) if center == [0.0; 3] => Ok(TensorPoint::CenterOfMass),
             (None, None) => {
                 let question = "is the tensor about the part's centre of mass or about another point?";
-                Err(self.unclear(tensor, question).with_hint(
-                    "write about = \"center\" or about = \"origin\" in the header, or add a column about",
-                ))
+                let hint = format!(
+                    "write {}, or about = \"origin\"; or add a column about",
+                    self.reader.sheet.as_key("about = \"center\"")
+                );
+                Err(self.unclear(tensor, question).with_hint(hint))
             }
         }
     }
@@ -143,9 +145,11 @@ impl<'s, 'a> Rows<'s, 'a> {
             }
             _ => {
                 let question = "are the products of inertia elements of the tensor, −∫xy dm, or positive integrals, +∫xy dm?";
-                Err(self.unclear(cell, question).with_hint(
-                    "write products = \"tensor elements\" or products = \"positive integrals\" in the header, or add a column products: both give a physical body",
-                ))
+                let hint = format!(
+                    "write {}, or products = \"positive integrals\"; or add a column products: both give a physical body",
+                    self.reader.sheet.as_key("products = \"tensor elements\"")
+                );
+                Err(self.unclear(cell, question).with_hint(hint))
             }
         }
     }

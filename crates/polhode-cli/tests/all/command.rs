@@ -435,6 +435,9 @@ fn a_value_that_begins_with_a_minus_is_told_how_it_is_given() {
         let error = refused(&scratch.run(&[&arguments[..2], &[obeyed.as_str()]].concat()), 2);
         assert!(!error.contains("unexpected argument"), "{error}");
     }
+    // An unknown option is not a file name.
+    let error = refused(&scratch.run(&["inertia", "f.stl", "--colour"]), 2);
+    assert!(error.contains("unexpected argument '--colour'") && !error.contains("tip:"), "{error}");
     // For a file name the hint of clap is kept.
     let error = refused(&scratch.run(&["inertia", "-5.stl"]), 2);
     assert!(error.contains("use '-- -5"), "{error}");
@@ -446,37 +449,14 @@ fn the_name_of_a_unit_is_asked_for_by_a_name() {
     scratch.write("f.stl", "");
     scratch.write("f.csv", "mass_mm,x_m,y_m,z_m\n1,2,3,4\n");
     for (arguments, hint) in [
-        (&["inertia", "f.stl", "--unit", "kg"][..], "write a unit of a length, such as mm"),
-        (&["inertia", "f.csv", "--mass-unit", "mm"], "write a unit of a mass, such as kg"),
-        (&["inertia", "f.csv"], "write a unit of a mass, such as kg"),
+        (&["inertia", "f.stl", "--unit", "kg"][..], "write a unit of length, such as mm"),
+        (&["inertia", "f.csv", "--mass-unit", "mm"], "write a unit of mass, such as kg"),
+        (&["inertia", "f.csv"], "write a unit of mass, such as kg"),
         (&["inertia", "f.stl", "--unit", "millimetre"], "did you mean mm?"),
     ] {
         let error = refused(&scratch.run(arguments), 2);
         assert!(error.contains(hint), "{error}");
     }
-}
-
-#[test]
-fn a_new_scenario_runs_and_is_never_overwritten() {
-    let scratch = Scratch::new("new");
-    for name in ["drone", "top", "satellite", "asteroid", "robot-link"] {
-        let text = stdout(&scratch.run(&["new", name]));
-        assert!(text.contains(&format!("polhode simulate {name}.toml --open")), "{text}");
-        stdout(&scratch.run(&["inertia", &format!("{name}.toml")]));
-        stdout(&scratch.run(&["explain", &format!("{name}.toml")]));
-        stdout(&scratch.run(&["stability", &format!("{name}.toml")]));
-        let text = refused(&scratch.run(&["new", name]), 2);
-        assert!(text.contains("already exists"), "{text}");
-    }
-    let text = stdout(&scratch.run(&["simulate", "asteroid.toml", "--open"]));
-    assert!(
-        text.contains("trajectory.csv") && !text.contains("parquet") && !text.contains("browser"),
-        "{text}"
-    );
-    stdout(&scratch.run(&["new", "top", "-o", "deep/er/mine.toml"]));
-    let text = fs::read_to_string(scratch.0.join("deep/er/mine.toml")).unwrap();
-    assert!(text.contains("polhode simulate deep/er/mine.toml --open") && !text.contains(" top.toml"));
-    refused(&scratch.run(&["new", "toaster"]), 2);
 }
 
 /// Failure to start a browser is only a note.

@@ -11,6 +11,8 @@
 mod draws;
 mod next;
 mod noise;
+#[path = "../../../polhode-source/tests/common/obey.rs"]
+mod obey;
 mod payload;
 mod read;
 mod read_swing;

@@ -9,6 +9,8 @@ use polhode_identify::swing::{Damping, Measurement as Measured, Rig, identify_sw
 use polhode_source::FormatError;
 use polhode_source::files::Disk;
 
+use crate::obey;
+
 const GOOD: &str = r#"title = "A plate"
 [swing]
 mass = { value = "3.2 kg", sd = "1 g" }
@@ -117,7 +119,10 @@ fn refuses(from: &str, to: &str, cited: &str, says: &str, hint: &str) {
     let column = offset - before.rfind('\n').map_or(0, |end| end + 1) + 1;
     assert_eq!((place.line, place.column), (line, column), "{error}");
     assert!(error.message().contains(says), "{error}");
-    assert!(error.hint().unwrap_or_default().contains(hint), "{:?}", error.hint());
+    let given = error.hint().unwrap_or_default();
+    assert!(given.contains(hint), "{given:?}");
+    let parts = |error: &FormatError| (error.message(), error.place().map(|place| place.span.clone()));
+    obey::check(&text, (&error.message(), &place.span, &given), |text| read(&name, text).map(drop), parts);
 }
 
 #[test]

@@ -110,7 +110,7 @@ fn omega(
     let table = form.table()?;
     table.allow(&["body", "space"])?;
     let Some(given) = table.at_most_one(&["body", "space"], "give ω in one way only")? else {
-        return Err(table.missing("body", "omega = { body = [\"0\", \"0\", \"2*t\"] }"));
+        return Err(table.missing("body", "omega = { body = [\"0\", \"0\", \"2[rad/s^2]*t\"] }"));
     };
     let axes = if given.key() == "body" { RateAxes::Body } else { RateAxes::Space };
     let given_as = formulas(&given, Dimension::ANGULAR_VELOCITY, findings)?;

@@ -119,7 +119,10 @@ fn method(table: &Table<'_>) -> Result<Method, FormatError> {
     let name = named.transpose()?.unwrap_or("auto");
     if name == "splitting" {
         if let Some(value) = table.get("tolerance") {
-            let hint = "splitting uses a fixed step: write step = \"10 ms\"";
+            let hint = match table.get("step") {
+                Some(_) => "the step determines the accuracy: leave out tolerance",
+                None => "splitting uses a fixed step: write step = \"10 ms\" in place of tolerance",
+            };
             return Err(value.invalid("left out of a run by splitting").with_hint(hint));
         }
         let order = table.get("order").map_or(Ok(SplittingOrder::default()), |value| order(&value))?;

@@ -78,14 +78,14 @@ pub fn run_watched(
     if request.error && file.scenario.prescribed().is_some() {
         return Err(Failure::usage(
             format!("{name} prescribes its motion: there is no error to estimate"),
-            "leave out --error, or write [start] and torques in place of the prescribed motion",
+            "remove --error, or write [start] and torques in place of the prescribed motion",
         ));
     }
     let effort = if request.error { ErrorEffort::Thorough } else { ErrorEffort::Auto };
     let Some(motion) = file.scenario.simulate_with_error(effort, progress) else {
         return Err(Failure::usage(
-            format!("{name} has no [run] section, so there is no time to simulate"),
-            "write [run] with duration = \"10 s\" and samples = 1001; or ask `polhode explain` or `polhode inertia`",
+            format!("{name} has no [run] section: the duration of the motion is unknown"),
+            "write [run] with duration = \"10 s\" and samples = 1001; `polhode explain` and `polhode inertia` need no [run]",
         ));
     };
     let trajectory = motion.map_err(|error| failed(&file, error))?;
@@ -101,7 +101,7 @@ fn states_at(request: &Request, file: &ScenarioFile) -> Result<Vec<Sample>, Fail
     let Some(run) = scenario.run().filter(|_| !wanted.is_empty()) else { return Ok(Vec::new()) };
     let (first, last) = (scenario.start().time, run.times.last().copied().unwrap_or_default());
     if let Some(time) = wanted.iter().find(|time| !(first..=last).contains(*time)) {
-        let hint = "ask for times of the run, or give it a longer duration";
+        let hint = "choose times within the run, or give it a longer duration";
         let what = format!("--at {time} s is outside of the run, which goes from {first} to {last} s");
         return Err(Failure::usage(what, hint));
     }

@@ -53,11 +53,8 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Stability, Failure> {
     let ScenarioFile { scenario, path, .. } = ScenarioFile::read(files, &request.file)?;
     let name = shown(&path);
     if scenario.prescribed().is_some() {
-        let hint = "leave out [prescribed], or ask polhode explain for the torque that the motion needs";
-        return Err(Failure::usage(
-            format!("the motion of {name} is prescribed: nothing can depart from it"),
-            hint,
-        ));
+        let hint = "leave out [prescribed]; polhode explain prints the torque that the motion needs";
+        return Err(Failure::usage(format!("the motion of {name} is prescribed: it has no stability"), hint));
     }
     if scenario.history().is_some() {
         let hint = "polhode simulate computes its motion; leave out [mass_history] for the body as it is at the start";
@@ -68,8 +65,8 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Stability, Failure> {
     }
     if matches!(scenario.mechanism(), Mechanism::Gimbals(_)) {
         return Err(Failure::usage(
-            format!("{name} hangs its body in gimbals: which of its steady motions last is not known here"),
-            "polhode simulate computes its motion: start a little off the steady one",
+            format!("the body of {name} is in gimbals: the stability of its steady motions is not computed"),
+            "compute its motion with polhode simulate, from a start near the steady motion",
         ));
     }
     let source = source(&path, &scenario);

@@ -102,10 +102,15 @@ fn require_motion(scenario: &Scenario, path: &str) -> Result<(), Failure> {
             format!("{path} has a [run] but no [prescribed] motion: its motion is computed, not given");
         Failure::usage(
             message,
-            format!("`polhode simulate` computes it; for the torque of a given motion {hint}"),
+            format!(
+                "`polhode simulate` computes it; for the torque of a given motion {hint}, in place of [start]"
+            ),
         )
     } else {
-        Failure::usage(format!("{path} has no [prescribed] motion, so no torque is asked for"), hint)
+        Failure::usage(
+            format!("{path} has no [prescribed] motion, which is needed to compute a torque"),
+            hint,
+        )
     })
 }
 

@@ -20,6 +20,8 @@ mod json;
 mod mass_history;
 mod mistakes;
 mod motion_errors;
+#[path = "../../../polhode-source/tests/common/obey.rs"]
+mod obey;
 mod page;
 mod page_contact;
 mod page_contract;

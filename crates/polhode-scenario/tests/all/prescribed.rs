@@ -9,6 +9,8 @@ use polhode::prelude::*;
 use polhode_scenario::read as scenario;
 use polhode_source::FormatError;
 
+use crate::obey;
+
 const BODY: &str = "[[body.part]]\nshape = 'box'\nsize = ['0.3 m', '0.2 m', '0.1 m']\nmass = '4 kg'\n";
 
 fn parse(text: &str) -> Result<Scenario, FormatError> {
@@ -19,9 +21,13 @@ fn parse(text: &str) -> Result<Scenario, FormatError> {
 fn refuses(text: &str, message: &str, hint: &str) {
     let error = parse(text).expect_err(text);
     assert!(error.message().starts_with(message), "{error}");
-    assert!(error.place().is_some());
+    let place = error.place().unwrap();
     let given = error.hint().unwrap_or_default();
     assert!(given.starts_with(hint), "hint: {given}");
+    let parts = |error: &FormatError| (error.message(), error.place().map(|place| place.span.clone()));
+    let whole = format!("{BODY}{text}");
+    let read = |text: &str| scenario::parse(text, Path::new("test.toml")).map(drop);
+    obey::check(&whole, (&error.message(), &place.span, &given), read, parts);
 }
 
 fn at(text: &str, time: f64) -> State {

@@ -10,8 +10,12 @@ const KEYS: [(&str, &str, &str); 57] = [
     ("ypr", "euler313", ROLL),
     ("yaw", "euler313", ROLL),
     ("pitch", "euler313", ROLL),
-    ("xyzw", "euler313", "write quaternion_xyzw = [x, y, z, w], or quaternion = [w, x, y, z]"),
-    ("wxyz", "euler313", "write quaternion = [w, x, y, z]"),
+    (
+        "xyzw",
+        "euler313",
+        "write quaternion_xyzw = [0, 0, 0, 1], scalar last, or quaternion = [1, 0, 0, 0], scalar first",
+    ),
+    ("wxyz", "euler313", "write quaternion = [1, 0, 0, 0], scalar first"),
     ("rotation_matrix", "matrix", "write matrix: rows of three, v_space = R v_body"),
     ("dcm", "matrix", "write matrix: rows of three, v_space = R v_body"),
     (
@@ -79,7 +83,7 @@ const KEYS: [(&str, &str, &str); 57] = [
     ("damping", "coefficient", "write coefficient, the damping coefficient of the torque"),
 ];
 
-const ORBIT: &str = "write [orbit] on a line of its own, and under it altitude = \"400 km\"";
+const ORBIT: &str = "write [orbit] on a line of its own, and under it altitude = \"400 km\", in place of it";
 const RELATIVE: &str = "write relative_to = \"orbit\": attitude and spin are then relative to its axes (x forward, y opposite to the orbit normal, z to the nadir)";
 const IN_ATTITUDE: &str = "write the angles in attitude = { … }: euler313 (about z, x, z), or roll_pitch_yaw (3-2-1: yaw about z first)";
 const DAMPING_OF_TORQUE: &str = "damping is a [[torque]]: model = \"drag\" with its coefficient, or \"energy_sink\" for internal friction";
@@ -202,7 +206,7 @@ const TABLES: [(&str, &str); 21] = [
     ("to", "\"nadir\", or { space = [1, 0, 0] }"),
     ("then", "\"stop\", or { switch = \"thruster\", on = false }"),
     ("spin", "{ body = [0, 0, \"12 rad/s\"] }"),
-    ("omega", "{ body = [\"0\", \"0\", \"2*t\"] }"),
+    ("omega", "{ body = [\"0\", \"0\", \"2[rad/s^2]*t\"] }"),
     ("attitude rotate", "{ axis = [0, 0, 1], angle = \"90 deg\" }"),
     ("pulses", "{ width = \"0.2 s\", period = \"5 s\" }"),
     ("balance", "{ planes = [0, \"0.2 m\"], radii = [\"50 mm\", \"50 mm\"] }"),

@@ -5,6 +5,8 @@
 mod book;
 mod dataset;
 mod examples;
+#[path = "../../../polhode-source/tests/common/obey.rs"]
+mod obey;
 mod outcomes;
 mod plan;
 mod questions;

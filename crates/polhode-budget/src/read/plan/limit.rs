@@ -46,7 +46,9 @@ pub(crate) fn limits(value: &Value<'_>, products: Option<ProductSign>) -> Result
         if limits.iter().any(|other| other.name == limit.name) {
             let place = table.get("name").or(table.get("of"));
             let place = place.ok_or_else(|| table.missing("name", "name = \"tilt\""))?;
-            return Err(place.invalid("unique among the limits").with_hint("give it another name"));
+            return Err(place
+                .invalid("unique among the limits")
+                .with_hint("give it another name, such as name = \"tilt\""));
         }
         limits.push(limit);
     }

@@ -165,8 +165,7 @@ fn inverse(
         Convention::Short => AxisConvention::ShortAxis,
     };
     TumblerReport::new(subject.source(), subject.principal()?, periods, convention).map_err(|error| {
-        let hint =
-            "try the other --convention, or a period twice or half as long: a light curve may show either";
+        let hint = "try the other --convention, or twice or half of a period: a light curve may show either";
         Failure::usage(error.to_string(), hint)
     })
 }

@@ -10,6 +10,8 @@ use polhode_scenario::read as scenario;
 use polhode_source::files::Disk;
 use polhode_source::{FormatError, FormatErrorKind};
 
+use crate::obey;
+
 /// A valid example, its text, and its meaning.
 struct Example {
     path: PathBuf,
@@ -339,7 +341,12 @@ fn words_of_others_are_told_ours() {
         (spun("attitude = { euler321 = [1, 2, 3] }"), "write euler313 = [\"30 deg\", \"20 deg\", \"10"),
         (spun("euler321 = [1, 2, 3]"), "write the angles in attitude ="),
         (spun("altitude = '500 km'"), "write [orbit] on a line of its own, and under it altitude"),
-        (spun("frame = 'lvlh'"), "write relative_to = \"orbit\""),
+        (
+            spun("frame = 'lvlh'").replace("[run]", "[orbit]\naltitude = '500 km'\n[run]"),
+            "write relative_to = \"orbit\"",
+        ),
+        (spun("attitude = { xyzw = [0, 0, 0, 1] }"), "write quaternion_xyzw = [0, 0, 0, 1]"),
+        (spun("attitude = { wxyz = [1, 0, 0, 0] }"), "write quaternion = [1, 0, 0, 0]"),
         (spun("attitude = { rpy = [1, 2, 3] }"), "write roll_pitch_yaw = "),
         (spun("damping = 0.1"), "damping is a [[torque]]:"),
         (spun("attitude = { euler_zyx = [1, 2, 3] }"), "write euler313 = ["),
@@ -367,7 +374,11 @@ fn words_of_others_are_told_ours() {
         (spun("omega = [1, 2, 3]"), "write spin = { body = [0, 0, \"12 rad/s\"] }"),
         (format!("{BODY}[run]\nduration = '1 s'\nmethod = 'rk4'"), "\"dop853\", of order 8"),
     ] {
-        let hint = meaning(&wrong, Path::new("test.toml")).unwrap_err().hint().unwrap_or_default();
+        let error = meaning(&wrong, Path::new("test.toml")).unwrap_err();
+        let (hint, place) = (error.hint().unwrap_or_default(), error.place().unwrap());
         assert!(hint.contains(says) && !hint.contains("did you mean"), "{hint}");
+        let read = |text: &str| meaning(text, Path::new("test.toml")).map(drop);
+        let parts = |error: &FormatError| (error.message(), error.place().map(|place| place.span.clone()));
+        obey::check(&wrong, (&error.message(), &place.span, &hint), read, parts);
     }
 }

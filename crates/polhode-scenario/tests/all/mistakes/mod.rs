@@ -12,6 +12,8 @@ use polhode::motion::Scenario;
 use polhode_scenario::read as scenario;
 use polhode_source::{FormatError, FormatErrorKind};
 
+use crate::obey;
+
 const BALL: &str = "[[body.part]]\nshape = 'sphere'\nradius = '20 mm'\nmass = '0.5 kg'\n";
 const RUN: &str = "[run]\nduration = '1 s'\n";
 
@@ -20,9 +22,20 @@ fn parse(text: &str) -> Result<Scenario, FormatError> {
 }
 
 /// Checks that `text` is refused with this message, and with a hint that starts with `hint`. The
-/// characters « and » enclose the place of the error.
+/// characters « and » enclose the place of the error. The hint is followed: it removes the error.
 #[track_caller]
 fn refuses(text: &str, message: &str, hint: &str) -> FormatError {
+    let error = refuses_alone(text, message, hint);
+    let plain = text.replace(['«', '»'], "");
+    let (place, given) = (error.place().expect("a place"), error.hint().unwrap_or_default());
+    let parts = |error: &FormatError| (error.message(), error.place().map(|place| place.span.clone()));
+    obey::check(&plain, (message, &place.span, &given), |text| parse(text).map(drop), parts);
+    error
+}
+
+/// [`refuses`] for a hint whose example does not suit the rest of the file.
+#[track_caller]
+fn refuses_alone(text: &str, message: &str, hint: &str) -> FormatError {
     let start = text.find('«').expect("a mark");
     let before = &text[..start];
     let plain = text.replace(['«', '»'], "");
@@ -94,7 +107,7 @@ fn keys_that_are_missing_are_named() {
         refuses(&format!("«»{empty}"), "the key body is missing in the file", "write [[body.part]]");
     }
     refuses("«[body]»\npivot=[0,0,0]", "the key part is missing in [body]", "write [[body.part]]");
-    refuses("«[body]»\npart=[]", "the key part is missing in [body]", "write [[body.part]]");
+    refuses_alone("«[body]»\npart=[]", "the key part is missing in [body]", "write [[body.part]]");
     refuses(
         &format!("«{part}»\nradius=1"),
         "the key shape is missing in [[body.part]]",
@@ -259,7 +272,7 @@ fn a_fixed_step_has_no_tolerance_and_a_tolerance_no_step() {
     refuses(
         &format!("{BALL}{RUN}method = 'splitting'\nstep = '5 ms'\ntolerance = «1e-9»"),
         "tolerance = 1e-9 must be left out of a run by splitting",
-        "splitting uses a fixed step: write",
+        "the step determines the accuracy: leave out tolerance",
     );
     for (key, value) in [("order", "4"), ("step", "'5 ms'")] {
         refuses(

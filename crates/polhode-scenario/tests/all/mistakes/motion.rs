@@ -2,7 +2,7 @@
 
 use polhode_source::FormatErrorKind;
 
-use super::{BALL, RUN, parse, refuses};
+use super::{BALL, RUN, parse, refuses, refuses_alone};
 
 #[test]
 fn orbits_are_given_once_and_are_orbits() {
@@ -246,7 +246,7 @@ fn wheels_that_make_no_sense_are_refused() {
         "the key momentum is missing in [[wheel]]",
         "write momentum = \"4 N m s\", or inertia and speed",
     );
-    refuses(
+    refuses_alone(
         &format!("{BALL}{RUN}«[[wheel]]»\naxis=[0,0,1]\nspeed='3000 rpm'"),
         "the key inertia is missing in [[wheel]]",
         "write inertia",

@@ -1,9 +1,11 @@
 //! Error messages for every mistake in a plan.
 
+use polhode_source::FormatError;
 use polhode_source::files::Disk;
 use polhode_sweep::Plan;
 
 use super::{SCENARIO, SPIN};
+use crate::obey;
 
 /// Checks that a plan is refused with a message, and a hint that begins with this text. « and »
 /// mark the place of the mistake.
@@ -20,6 +22,10 @@ fn refuses(sweep: &str, message: &str, hint: &str) {
     assert_eq!(error.place().unwrap().span, start..end, "{error}");
     let given = error.hint().unwrap_or_default();
     assert!(given.starts_with(hint) && hint.is_empty() == given.is_empty(), "hint: {given}");
+    let plain = marked.replace(['«', '»'], "");
+    let read = |text: &str| Plan::parse(&Disk, text.to_owned(), "plan.toml".as_ref()).map(drop);
+    let parts = |error: &FormatError| (error.message(), error.place().map(|place| place.span.clone()));
+    obey::check(&plain, (message, &(start..end), &given), read, parts);
 }
 
 /// Calls [`refuses`] for one variable of a Monte Carlo plan.

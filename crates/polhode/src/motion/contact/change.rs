@@ -78,7 +78,7 @@ impl ContactChange {
         match self {
             Self::Slips => "slips",
             Self::Grips => "grips",
-            Self::SlipsAnew => "slips anew",
+            Self::SlipsAnew => "slips again",
             Self::LiftsOff => "lifts off",
             Self::Lands => "lands",
             Self::PivotingStops => "pivoting stops",

@@ -14,10 +14,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
         "name,mass,colour\na,1,red\n",
         "list.csv:1:11: unknown key \"colour\" in the headings | columns are name, mass",
     ),
-    (
-        "name,mass [mm]\na,1\n",
-        "list.csv:1:6: \"mm\" is a length where a mass belongs | write a unit of a mass",
-    ),
+    ("name,mass [mm]\na,1\n", "list.csv:1:6: \"mm\" is a length where a mass belongs | write a unit of mass"),
     ("name,mass [gg]\na,1\n", "list.csv:1:6: unknown unit \"gg\""),
     (
         "name,mass,Mass [g]\na,1,1\n",

@@ -184,3 +184,35 @@ pub(super) fn gradient(numbers: &[f64], a: [f64; 3], b: [f64; 3]) -> Vec<f64> {
     }
     slope
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::six::PLACES;
+
+    /// Returns aᵀ G b of the parameters.
+    fn along_two(numbers: &[f64], a: [f64; 3], b: [f64; 3]) -> f64 {
+        let mut g = [[0.0; 3]; 3];
+        for (element, (i, j)) in moments_about_center(numbers).into_iter().zip(PLACES) {
+            g[i][j] = element;
+            g[j][i] = element;
+        }
+        (0..3).map(|i| (0..3).map(|j| a[i] * g[i][j] * b[j]).sum::<f64>()).sum()
+    }
+
+    #[test]
+    fn the_gradient_is_that_of_differences() {
+        let numbers = [1.7, 0.42, -0.8, 0.51, 0.9, 0.71, 0.77, -0.12, 0.083, -0.17];
+        let (a, b) = ([0.48, -0.6, 0.64], [0.3, 0.2, -0.7]);
+        for (k, slope) in gradient(&numbers, a, b).into_iter().enumerate() {
+            let at = |step: f64| {
+                let mut moved = numbers;
+                moved[k] += step;
+                along_two(&moved, a, b)
+            };
+            let measured = (at(1e-5) - at(-1e-5)) / 2e-5;
+            assert!((slope - measured).abs() < 1e-9, "{k}: {slope}, {measured}");
+            assert!(slope.abs() > 1e-3, "{k}");
+        }
+    }
+}

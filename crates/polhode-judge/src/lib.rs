@@ -4,6 +4,7 @@
 //! and their causes. [`suite`] contains the scenarios for grading programs.
 #![forbid(unsafe_code)]
 
+mod free_body;
 mod grade;
 mod report;
 mod request;
@@ -11,6 +12,7 @@ mod run;
 mod runs;
 pub mod suite;
 
+pub use free_body::{FirstRowError, FreeBody};
 pub use report::{Card, CardCase, CardRun, JudgeReport, JudgedRun, judge_hint};
 pub use request::{Axes, AxesOfRun, Order, REQUEST_SCHEMA, ReadAs, Request, Sense};
 pub use run::{Judged, REPORT_SCHEMA, run};

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, QuaternionOrder, SignedAxes};
+use polhode_scenario::request::spin::{Moments, Omega};
 use polhode_source::given::{Angle, Given, Positive, Time};
 use polhode_table::log::Columns;
 use serde::{Deserialize, Serialize};
@@ -33,9 +34,19 @@ pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
-    /// Scenario (a TOML file) and its runs; the runs alone if they name their scenario.
+    /// Scenario (a TOML file) and its runs; the runs alone if they name their scenario, or with
+    /// --moments.
     #[cfg_attr(feature = "arguments", arg(value_name = "SCENARIO|RUN", required_unless_present_any = ["suite", "write_suite"]))]
     pub files: Vec<PathBuf>,
+    /// Principal moments of inertia about the body axes x, y, z of the run: in kg·m², or each with its
+    /// unit. They replace the scenario: a free body that starts with the attitude and ω of the first
+    /// row. Of several runs, the first one gives the start.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "A,B,C", allow_hyphen_values = true))]
+    pub moments: Option<Given<Moments>>,
+    /// ω at the first row along body axes, with --moments: in rad/s, or "(0, 0, 30) deg/s" [default: ω
+    /// of the first row; required if the run has no ω].
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true))]
+    pub start_omega: Option<Given<Omega>>,
     /// Interpretation of a run's numbers.
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]

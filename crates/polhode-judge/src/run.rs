@@ -13,10 +13,11 @@ use crate::runs::Judge;
 /// Judges the runs of a request against their scenario, or grades those of the suite.
 ///
 /// # Errors
-/// [`Failure`] for files that cannot be read, runs without a scenario or of several, and runs that
-/// cannot be judged.
+/// [`Failure`] for files that cannot be read, runs without a scenario or of several, options that
+/// contradict each other, and runs that cannot be judged.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Judged, Failure> {
     let judge = Judge { request, files };
+    judge.require_one_reference()?;
     match &request.suite {
         Some(folder) => grade(folder, judge).map(Judged::Suite),
         None => judge.report().map(|report| Judged::Runs(Box::new(report), request.limit())),

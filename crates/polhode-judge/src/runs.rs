@@ -10,6 +10,7 @@ use polhode_source::files::{Confined, Files, NotOpened, is_path_of};
 use polhode_source::{Failure, shown};
 use polhode_table::log::{self, RunLog};
 
+use crate::free_body::FreeBody;
 use crate::report::{JudgeReport, JudgedRun, judge_hint};
 use crate::request::Request;
 
@@ -23,8 +24,6 @@ pub(crate) struct Judge<'a> {
 impl<'a> Judge<'a> {
     pub(crate) fn report(self) -> Result<JudgeReport, Failure> {
         require_folders(self.files, &self.request.roots)?;
-        let is_scenario =
-            |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
         let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) =
             self.request.files.iter().partition(|path| is_scenario(path));
         if let [_, second, ..] = scenarios[..] {
@@ -43,7 +42,7 @@ impl<'a> Judge<'a> {
             ));
         }
         let columns = self.request.read_as.columns.as_ref().map(|columns| &columns.value);
-        let logs = runs
+        let mut logs = runs
             .iter()
             .map(|path| Ok((path.as_path(), log::read(self.files, path, columns)?)))
             .collect::<Result<Vec<_>, Failure>>()?;
@@ -53,7 +52,10 @@ impl<'a> Judge<'a> {
                 logs.iter().try_for_each(|(run, log)| self.require_of(&file, run, log))?;
                 file
             }
-            None => self.named(&logs)?,
+            None => match self.free_body()? {
+                Some(body) => self.started(&body, &mut logs)?,
+                None => self.named(&logs)?,
+            },
         };
         let judged = logs.into_iter().map(|(path, log)| self.judged(&scenario, path, log, None));
         let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
@@ -64,6 +66,66 @@ impl<'a> Judge<'a> {
         Ok(JudgeReport::new(&scenario.scenario, judged))
     }
 
+    /// Checks that the options state one body and one start.
+    pub(crate) fn require_one_reference(self) -> Result<(), Failure> {
+        let Request { files, moments, start_omega, read_as, suite, .. } = self.request;
+        if moments.is_none() {
+            return match start_omega {
+                Some(_) => Err(Failure::usage(
+                    "--start-omega has no effect without --moments",
+                    "add --moments A,B,C; a scenario states its ω in [start]",
+                )),
+                None => Ok(()),
+            };
+        }
+        let refused = |what: &str, hint: &str| Err(Failure::usage(what, hint));
+        if let Some(scenario) = files.iter().find(|path| is_scenario(path)) {
+            let what = format!("{} and --moments both state the body and its start", shown(scenario));
+            return refused(&what, "remove one of them");
+        }
+        if suite.is_some() {
+            return refused(
+                "--moments has no effect on the suite: its cases have their own bodies",
+                "remove one of them",
+            );
+        }
+        if read_as.axes.is_some() {
+            let what = "--axes has no effect with --moments: the moments are about the body axes of the run";
+            return refused(what, "remove --axes, and give the moments in the order of the run's axes");
+        }
+        if read_as.time_origin.is_some() {
+            let what = "--time-origin has no effect with --moments: the motion starts at the first row";
+            return refused(what, "remove --time-origin");
+        }
+        Ok(())
+    }
+
+    /// Returns the free body of the request, if it states one.
+    fn free_body(self) -> Result<Option<FreeBody>, Failure> {
+        let Request { moments, start_omega, .. } = self.request;
+        let omega = start_omega.as_ref().map(|omega| omega.value.0);
+        moments.as_ref().map(|moments| FreeBody::new(moments.value.0, omega)).transpose()
+    }
+
+    /// Returns the scenario of a free body that starts at the first row of the first log. The clock
+    /// and the axes of this log become those of the scenario.
+    fn started(self, body: &FreeBody, logs: &mut [(&Path, RunLog)]) -> Result<ScenarioFile, Failure> {
+        if let Some((run, said)) = logs.iter().find_map(|(run, log)| Some((run, log.scenario.as_ref()?))) {
+            let message =
+                format!("the log names the scenario {:?}, but --moments states another body", said.display());
+            let hint = "remove --moments, or remove the line `scenario = …` from the log";
+            return Err(Failure::usage(message, hint).about(run));
+        }
+        let Some((run, log)) = logs.first_mut() else {
+            return Err(Failure::usage("no log to judge was given", "add the log that a program wrote"));
+        };
+        let scenario = body.scenario(&log.log, &self.request.read_as.declared(&log.says));
+        let scenario =
+            scenario.map_err(|error| Failure::usage(error.to_string(), error.hint()).about(run))?;
+        log.says = FreeBody::declared(&log.log, &log.says);
+        Ok(scenario)
+    }
+
     /// Returns the scenario that the runs name, relative to them. A log is data, so it opens no
     /// file outside its folder and the roots.
     fn named(self, logs: &[(&Path, RunLog)]) -> Result<ScenarioFile, Failure> {
@@ -71,7 +133,7 @@ impl<'a> Judge<'a> {
         for (run, log) in logs {
             let path = shown(run);
             let Some(said) = &log.scenario else {
-                let hint = "add the scenario: polhode judge SCENARIO.toml RUN; or name it in the log: a line `# scenario = \"t-handle.toml\"` before the header";
+                let hint = "add the scenario: polhode judge SCENARIO.toml RUN; or name it in the log: a line `# scenario = \"t-handle.toml\"` before the header; or, for a free body, add its principal moments: --moments A,B,C";
                 return Err(Failure::usage(format!("{path} does not name its scenario"), hint));
             };
             let files = Confined::beside(self.files, run, &self.request.roots);
@@ -161,6 +223,10 @@ impl<'a> Judge<'a> {
             .map_err(|error| refused(file, path, error))?;
         Ok(JudgedRun { ignored: log.not_read(), engine: log.engine, ..judged })
     }
+}
+
+fn is_scenario(path: &PathBuf) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
 }
 
 /// Returns the folder of a file.

@@ -98,7 +98,7 @@ fn requests_fit() {
     let full = json!({
         "files": ["a.toml", "run.csv"], "columns": "time=t, quaternion xyzw=qx qy qz qw", "quaternion": "xyzw",
         "sense": "space-to-body", "omega": "body", "axes": "x,z,-y", "time-origin": "2 s", "step": "2 ms", "root": ["logs"],
-        "limit": "0.1 deg", "suite": "suite",
+        "limit": "0.1 deg", "suite": "suite", "moments": "1, 2, 3", "start-omega": "0.1, 0, 3",
     });
     check_request::<polhode_judge::Request>(polhode_judge::REQUEST_SCHEMA, &full);
     let full = json!({ "plan": "plan.toml", "threads": 4 });

@@ -10,8 +10,9 @@ use polhode_source::files::{Confined, Files, NotOpened, is_path_of};
 use polhode_source::{Failure, shown};
 use polhode_table::log::{self, RunLog};
 
+use crate::against::{Interpretation, Other};
 use crate::free_body::FreeBody;
-use crate::report::{JudgeReport, JudgedRun, judge_hint};
+use crate::report::{ComparedRun, Comparison, JudgeReport, JudgedRun, judge_hint};
 use crate::request::Request;
 
 /// Request with its file system.
@@ -23,30 +24,8 @@ pub(crate) struct Judge<'a> {
 
 impl<'a> Judge<'a> {
     pub(crate) fn report(self) -> Result<JudgeReport, Failure> {
-        require_folders(self.files, &self.request.roots)?;
-        let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) =
-            self.request.files.iter().partition(|path| is_scenario(path));
-        if let [_, second, ..] = scenarios[..] {
-            let message = format!("{} is a second scenario", shown(second));
-            return Err(Failure::usage(message, "judge the runs of one scenario at a time"));
-        }
-        if runs.is_empty() {
-            let hint = "add the log that a program wrote: polhode judge SCENARIO.toml RUN.csv";
-            return Err(Failure::usage("no log to judge was given", hint));
-        }
-        if let (Some(_), [_, second, ..]) = (&self.request.step, &runs[..]) {
-            let message = format!("--step applies to one run only, but {} is a second one", shown(second));
-            return Err(Failure::usage(
-                message,
-                "write the step into each run: a line `# step = 0.001` before the header",
-            ));
-        }
-        let columns = self.request.read_as.columns.as_ref().map(|columns| &columns.value);
-        let mut logs = runs
-            .iter()
-            .map(|path| Ok((path.as_path(), log::read(self.files, path, columns)?)))
-            .collect::<Result<Vec<_>, Failure>>()?;
-        let scenario = match scenarios.first() {
+        let (scenario, mut logs) = self.logs()?;
+        let scenario = match scenario {
             Some(path) => {
                 let file = ScenarioFile::read(self.files, path)?;
                 logs.iter().try_for_each(|(run, log)| self.require_of(&file, run, log))?;
@@ -66,36 +45,106 @@ impl<'a> Judge<'a> {
         Ok(JudgeReport::new(&scenario.scenario, judged))
     }
 
-    /// Checks that the options state one body and one start.
+    /// Returns the scenario of the request, if it has one, and the logs of its runs.
+    fn logs(self) -> Result<(Option<&'a Path>, Vec<(&'a Path, RunLog)>), Failure> {
+        require_folders(self.files, &self.request.roots)?;
+        let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) =
+            self.request.files.iter().partition(|path| is_scenario(path));
+        if let [_, second, ..] = scenarios[..] {
+            let message = format!("{} is a second scenario", shown(second));
+            return Err(Failure::usage(message, "judge the runs of one scenario at a time"));
+        }
+        if runs.is_empty() {
+            let hint = "add the log that a program wrote: polhode judge SCENARIO.toml RUN.csv";
+            return Err(Failure::usage("no log to judge was given", hint));
+        }
+        if let (Some(_), [_, second, ..]) = (&self.request.step, &runs[..]) {
+            let message = format!("--step applies to one run only, but {} is a second one", shown(second));
+            return Err(Failure::usage(
+                message,
+                "write the step into each run: a line `# step = 0.001` before the header",
+            ));
+        }
+        let columns = self.request.read_as.columns.as_ref().map(|columns| &columns.value);
+        let logs = runs
+            .iter()
+            .map(|path| Ok((path.as_path(), log::read(self.files, path, columns)?)))
+            .collect::<Result<Vec<_>, Failure>>()?;
+        Ok((scenarios.first().map(|path| path.as_path()), logs))
+    }
+
+    /// Compares the runs with another log.
+    pub(crate) fn compared(self, other: &Path) -> Result<Comparison, Failure> {
+        let moments = self.request.moments.as_ref().map(|moments| moments.value.0);
+        let (_, logs) = self.logs()?;
+        let reference = log::read(self.files, other, None)?;
+        let against = Other::of(other, &reference, moments)?;
+        let hint = "state its conventions: --quaternion wxyz or xyzw, --sense body-to-space or space-to-body, --omega body or space";
+        let compared = |(path, log): (&Path, RunLog)| {
+            require_same_scenario(path, &log, other, &reference)?;
+            let declared = self.request.read_as.declared(&log.says);
+            let interpretation = Interpretation::of(path, &log.log, &declared, hint)?;
+            let found = against.differences(path, &log, interpretation)?;
+            Ok(ComparedRun {
+                path: shown(path),
+                step: self.request.step.as_ref().map(|step| step.value.0.into()).or(log.step),
+                ignored: log.not_read(),
+                is_single_precision: log.log.is_single_precision(),
+                engine: log.engine,
+                found,
+            })
+        };
+        let runs = logs.into_iter().map(compared).collect::<Result<Vec<_>, Failure>>()?;
+        Ok(Comparison::new(against, runs))
+    }
+
+    /// Checks that the options state one motion with which the runs are compared.
     pub(crate) fn require_one_reference(self) -> Result<(), Failure> {
-        let Request { files, moments, start_omega, read_as, suite, .. } = self.request;
-        if moments.is_none() {
-            return match start_omega {
-                Some(_) => Err(Failure::usage(
+        let Request { files, moments, start_omega, against, read_as, suite, .. } = self.request;
+        let option = match (against, moments) {
+            (Some(_), _) => "--against",
+            (None, Some(_)) => "--moments",
+            (None, None) if start_omega.is_none() => return Ok(()),
+            (None, None) => {
+                return Err(Failure::usage(
                     "--start-omega has no effect without --moments",
                     "add --moments A,B,C; a scenario states its ω in [start]",
-                )),
-                None => Ok(()),
-            };
-        }
-        let refused = |what: &str, hint: &str| Err(Failure::usage(what, hint));
+                ));
+            }
+        };
+        let refused = |message: String, hint: &str| Err(Failure::usage(message, hint));
         if let Some(scenario) = files.iter().find(|path| is_scenario(path)) {
-            let what = format!("{} and --moments both state the body and its start", shown(scenario));
-            return refused(&what, "remove one of them");
-        }
-        if suite.is_some() {
             return refused(
-                "--moments has no effect on the suite: its cases have their own bodies",
+                format!("{} and {option} both state the motion of the run", shown(scenario)),
                 "remove one of them",
             );
         }
+        if suite.is_some() {
+            return refused(
+                format!("{option} has no effect on the suite, whose cases have their own motions"),
+                "remove one of them",
+            );
+        }
+        if against.is_some() {
+            return match start_omega {
+                Some(_) => refused(
+                    "--start-omega has no effect with --against: no motion is computed".to_owned(),
+                    "remove one of them",
+                ),
+                None => Ok(()),
+            };
+        }
         if read_as.axes.is_some() {
-            let what = "--axes has no effect with --moments: the moments are about the body axes of the run";
-            return refused(what, "remove --axes, and give the moments in the order of the run's axes");
+            let message =
+                "--axes has no effect with --moments: the moments are about the body axes of the run";
+            return refused(
+                message.to_owned(),
+                "remove --axes, and give the moments in the order of the run's axes",
+            );
         }
         if read_as.time_origin.is_some() {
-            let what = "--time-origin has no effect with --moments: the motion starts at the first row";
-            return refused(what, "remove --time-origin");
+            let message = "--time-origin has no effect with --moments: the motion starts at the first row";
+            return refused(message.to_owned(), "remove --time-origin");
         }
         Ok(())
     }
@@ -223,6 +272,22 @@ impl<'a> Judge<'a> {
             .map_err(|error| refused(file, path, error))?;
         Ok(JudgedRun { ignored: log.not_read(), engine: log.engine, ..judged })
     }
+}
+
+/// Checks that two logs do not name scenarios with different file names.
+fn require_same_scenario(run: &Path, log: &RunLog, other: &Path, reference: &RunLog) -> Result<(), Failure> {
+    let (Some(one), Some(another)) = (&log.scenario, &reference.scenario) else { return Ok(()) };
+    if one.file_name() == another.file_name() {
+        return Ok(());
+    }
+    let message = format!(
+        "the log names the scenario {:?}, but {} names {:?}",
+        one.display(),
+        shown(other),
+        another.display()
+    );
+    let hint = "compare logs of one motion, or remove the line `scenario = …` from one of them";
+    Err(Failure::usage(message, hint).about(run))
 }
 
 fn is_scenario(path: &PathBuf) -> bool {

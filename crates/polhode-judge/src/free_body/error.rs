@@ -14,7 +14,7 @@ use crate::report::judge_hint;
 pub enum FirstRowError {
     /// The log has no ω, and none is given.
     NoOmega,
-    /// In no interpretation do the next rows continue the first one.
+    /// Contradiction: the next rows continue the first one in no interpretation.
     Unlike {
         /// Rotation rate between the first two rows relative to |ω| of the first one.
         ratio: f64,
@@ -37,7 +37,7 @@ impl fmt::Display for FirstRowError {
         let readings = match self {
             Self::NoOmega => {
                 return f.write_str(
-                    "the log has no columns of an angular velocity, so its first row does not determine the motion",
+                    "the log has no angular velocity, so its first row does not determine the motion",
                 );
             }
             Self::Motion(error) => return error.fmt(f),
@@ -48,7 +48,7 @@ impl fmt::Display for FirstRowError {
                     f,
                     "the next rows do not rotate as the ω of the first row states; the rate is {ratio} times |ω|"
                 )?;
-                tried
+                &tried[..tried.len().min(2)]
             }
             Self::Ambiguous { fitting } => {
                 let count = fitting.len();
@@ -56,10 +56,10 @@ impl fmt::Display for FirstRowError {
                     f,
                     "{count} interpretations of the first row fit the next rows, but give different starts"
                 )?;
-                fitting
+                fitting.as_slice()
             }
         };
-        for (k, (reading, relative)) in readings.iter().take(4).enumerate() {
+        for (k, (reading, relative)) in readings.iter().enumerate() {
             let mark = if k == 0 { ":" } else { ";" };
             write!(f, "{mark} {reading} (error {} of the rotation)", number(*relative, 2))?;
         }
@@ -74,7 +74,7 @@ impl FirstRowError {
     pub fn hint(&self) -> &'static str {
         match self {
             Self::NoOmega => {
-                "add ω at the first row: --start-omega X,Y,Z along body axes; or name its columns: --columns \"omega body = wx wy wz\""
+                "state ω at the first row along body axes by --start-omega; or name its columns: --columns \"omega body = wx wy wz\""
             }
             Self::Unlike { .. } => {
                 "check the units of ω and of the times (deg/s for rad/s is a factor of 57.3): --columns \"omega deg/s = wx wy wz\"; or state the \

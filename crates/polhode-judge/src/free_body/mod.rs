@@ -26,8 +26,9 @@ use start::Start;
 /// let times: Vec<f64> = (0..50).map(|k| 2.0 + row(k).0).collect();
 /// let attitude = (0..50).map(|k| [row(k).2.cos(), 0.0, 0.0, row(k).2.sin()]).collect();
 /// let log = MotionLog::new(times, attitude)?.with_omega(vec![[0.0, 0.0, 0.3]; 50])?;
-/// let scenario = FreeBody::new([1.0, 2.0, 2.5], None)?.scenario(&log, &DeclaredReading::default())?.scenario;
-/// assert_eq!(scenario.start().omega.to_array(), [0.0, 0.0, 0.3]);
+/// let body = FreeBody::new([1.0, 2.0, 2.5], None)?;
+/// let file = body.scenario(&log, &DeclaredReading::default())?;
+/// assert_eq!(file.scenario.start().omega.to_array(), [0.0, 0.0, 0.3]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,6 +8,7 @@ use polhode::math::Attitude;
 
 use super::FreeBody;
 use super::error::FirstRowError;
+use crate::selection::{Tried, Undecided, chosen};
 
 /// Attitude and angular velocity at the first row of a log.
 #[derive(Clone, Copy, Debug)]
@@ -18,15 +19,6 @@ pub(super) struct Start {
     pub(super) omega: [f64; 3],
 }
 
-/// Largest residual of an interpretation that fits, relative to the rotation angle.
-///
-/// Even under a wrong law of motion, the next rows follow from the first one up to second order in
-/// the rotation angle. A wrong interpretation has an error as large as the angle itself.
-const FITS: f64 = 0.3;
-/// Largest residual (relative) of an interpretation that replaces a named one which fits roughly.
-const REPLACES: f64 = 0.03;
-/// Ratio of residuals above which the smaller one decides.
-const CLEARLY: f64 = 10.0;
 /// Difference of equal starts, rad and relative: the rounding of two conversions.
 const SAME: f64 = 1e-12;
 
@@ -50,31 +42,20 @@ impl Start {
         }
         let tried = |candidates: Vec<Candidate>| {
             let tried = candidates.into_iter().map(|one| one.tried(log, declared, body));
-            let mut tried = tried.collect::<Result<Vec<Tried>, _>>()?;
-            tried.sort_by(|a, b| a.attitude.total_cmp(&b.attitude));
-            Ok::<_, FirstRowError>(tried)
+            tried.collect::<Result<Vec<Tried<Candidate>>, _>>()
         };
         let (named, all) = (tried(Candidate::all(log, declared, body)?)?, tried(all)?);
-        let is_replaced = |by_name: &Tried| {
-            let is_better = |other: &Tried| CLEARLY * other.attitude.max(SAME) < by_name.attitude;
-            !by_name.fits() || all.first().is_some_and(|best| best.relative <= REPLACES && is_better(best))
+        let shown = |tried: &[Tried<Candidate>]| {
+            tried.iter().map(|one| (one.of.shown(body), one.relative)).collect::<Vec<_>>()
         };
-        let group = if named.first().is_none_or(is_replaced) { all } else { named };
-        let shown =
-            |tried: &[Tried]| tried.iter().map(|one| (one.candidate.shown(body), one.relative)).collect();
-        let Some(best) = group.first().filter(|best| best.fits()) else {
-            let ratio = rate(log) / group.first().map_or(f64::NAN, |best| best.candidate.start.rate());
-            return Err(FirstRowError::Unlike { ratio, tried: shown(&group) });
-        };
-        let bound = CLEARLY * best.attitude.max(SAME);
-        let fitting: Vec<Tried> =
-            group.iter().copied().filter(|one| one.fits() && one.attitude <= bound).collect();
-        let is_one = fitting.iter().all(|other| other.candidate.start.is_same(&best.candidate.start));
-        if is_one {
-            Ok(best.candidate.start)
-        } else {
-            Err(FirstRowError::Ambiguous { fitting: shown(&fitting) })
-        }
+        let found = chosen(named, all, |a, b| a.start.is_same(&b.start));
+        found.map(|found| found.start).map_err(|undecided| match undecided {
+            Undecided::Unlike(tried) => {
+                let ratio = rate(log) / tried.first().map_or(f64::NAN, |best| best.of.start.rate());
+                FirstRowError::Unlike { ratio, tried: shown(&tried) }
+            }
+            Undecided::Ambiguous(fitting) => FirstRowError::Ambiguous { fitting: shown(&fitting) },
+        })
     }
 
     /// Returns |ω|, rad/s.
@@ -95,22 +76,6 @@ struct Candidate {
     reading: Reading,
     frame: OmegaAxes,
     start: Start,
-}
-
-/// Interpretation with its residual over the beginning of the log.
-#[derive(Clone, Copy, Debug)]
-struct Tried {
-    candidate: Candidate,
-    /// RMS angle between the attitudes of the log and those of the motion from the start, rad.
-    attitude: f64,
-    /// This angle relative to the rotation angle.
-    relative: f64,
-}
-
-impl Tried {
-    fn fits(&self) -> bool {
-        self.relative <= FITS
-    }
 }
 
 impl Candidate {
@@ -145,12 +110,13 @@ impl Candidate {
         Ok(found)
     }
 
+    /// Compares the beginning of the log with the motion from this start.
     fn tried(
         self,
         log: &MotionLog,
         declared: &DeclaredReading,
         body: &FreeBody,
-    ) -> Result<Tried, FirstRowError> {
+    ) -> Result<Tried<Self>, FirstRowError> {
         let declared = DeclaredReading {
             order: Some(self.reading.order),
             sense: Some(self.reading.sense),
@@ -158,9 +124,9 @@ impl Candidate {
             ..FreeBody::declared(log, &declared.certain())
         };
         let readings = Readings::of(log, &self.start.scenario(body)?.scenario, &declared)?;
-        let [attitude, relative] =
+        let [angle, relative] =
             readings.tried.first().map_or([f64::INFINITY; 2], |best| [best.attitude, best.relative]);
-        Ok(Tried { candidate: self, attitude, relative })
+        Ok(Tried { of: self, angle, relative })
     }
 
     fn shown(&self, body: &FreeBody) -> String {

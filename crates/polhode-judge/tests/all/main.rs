@@ -2,5 +2,6 @@
 //! whole library.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may")]
 
+mod against;
 mod free_body;
 mod log;

@@ -4,13 +4,17 @@
 //! and their causes. [`suite`] contains the scenarios for grading programs.
 #![forbid(unsafe_code)]
 
+mod against;
+mod free_body;
 mod grade;
 mod report;
 mod request;
 mod run;
 mod runs;
+mod selection;
 pub mod suite;
 
-pub use report::{Card, CardCase, CardRun, JudgeReport, JudgedRun, judge_hint};
+pub use free_body::{FirstRowError, FreeBody};
+pub use report::{Card, CardCase, CardRun, Comparison, JudgeReport, JudgedRun, judge_hint};
 pub use request::{Axes, AxesOfRun, Order, REQUEST_SCHEMA, ReadAs, Request, Sense};
 pub use run::{Judged, REPORT_SCHEMA, run};

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use polhode::infer::judge::{AttitudeSense, DeclaredReading, OmegaAxes, QuaternionOrder, SignedAxes};
+use polhode_scenario::request::spin::{Moments, Omega};
 use polhode_source::given::{Angle, Given, Positive, Time};
 use polhode_table::log::Columns;
 use serde::{Deserialize, Serialize};
@@ -33,9 +34,23 @@ pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
-    /// Scenario (a TOML file) and its runs; the runs alone if they name their scenario.
+    /// Scenario (a TOML file) and its runs; the runs alone if they name their scenario, or with
+    /// --moments or --against.
     #[cfg_attr(feature = "arguments", arg(value_name = "SCENARIO|RUN", required_unless_present_any = ["suite", "write_suite"]))]
     pub files: Vec<PathBuf>,
+    /// Principal moments of inertia about the body axes x, y, z of the run: in kg·m², or each with
+    /// its unit. They replace the scenario: a free body that starts with the attitude and ω of the
+    /// first row. The first of several runs gives the start.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "A,B,C", allow_hyphen_values = true))]
+    pub moments: Option<Given<Moments>>,
+    /// ω at the first row along body axes, with --moments: in rad/s, or "(0, 0, 30) deg/s"
+    /// [default: ω of the first row; required if the run has no ω].
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true))]
+    pub start_omega: Option<Given<Omega>>,
+    /// Another log of the same motion: the runs are compared with it row by row, not with an exact
+    /// motion. It needs a row at each of their times. --moments adds T and L.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "LOG"))]
+    pub against: Option<PathBuf>,
     /// Interpretation of a run's numbers.
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
@@ -85,7 +100,7 @@ pub struct ReadAs {
     /// Sense of rotations: body components to space, or the inverse [default: detected].
     #[cfg_attr(feature = "arguments", arg(long, value_enum))]
     pub sense: Option<Sense>,
-    /// Axes of the angular velocity [default: detected].
+    /// Axes of the run's ω (--start-omega states its value at the first row) [default: detected].
     #[cfg_attr(feature = "arguments", arg(long, value_enum))]
     pub omega: Option<Axes>,
     /// Axes x, y, z of the run as axes of the scenario, such as x,z,-y [default: detected].

@@ -6,20 +6,23 @@ use polhode_source::files::Files;
 use serde_json::Value;
 
 use crate::grade::grade;
-use crate::report::{Card, JudgeReport};
+use crate::report::{Card, Comparison, JudgeReport};
 use crate::request::Request;
 use crate::runs::Judge;
 
-/// Judges the runs of a request against their scenario, or grades those of the suite.
+/// Judges the runs of a request by their scenario, compares them with another log, or grades those
+/// of the suite.
 ///
 /// # Errors
-/// [`Failure`] for files that cannot be read, runs without a scenario or of several, and runs that
-/// cannot be judged.
+/// [`Failure`] for files that cannot be read, runs without a scenario or of several, options that
+/// contradict each other, and runs that cannot be judged.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Judged, Failure> {
     let judge = Judge { request, files };
-    match &request.suite {
-        Some(folder) => grade(folder, judge).map(Judged::Suite),
-        None => judge.report().map(|report| Judged::Runs(Box::new(report), request.limit())),
+    judge.require_one_reference()?;
+    match (&request.suite, &request.against) {
+        (Some(folder), _) => grade(folder, judge).map(Judged::Suite),
+        (None, Some(other)) => judge.compared(other).map(|report| Judged::Compared(report, request.limit())),
+        (None, None) => judge.report().map(|report| Judged::Runs(Box::new(report), request.limit())),
     }
 }
 
@@ -31,6 +34,8 @@ pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
 pub enum Judged {
     /// Report on runs of one scenario, and the largest acceptable error, rad.
     Runs(Box<JudgeReport>, f64),
+    /// Differences of runs from another log, and the largest acceptable one, rad.
+    Compared(Comparison, f64),
     /// Grade card of the suite's cases.
     Suite(Card),
 }
@@ -39,6 +44,7 @@ impl Report for Judged {
     fn to_json(&self) -> Value {
         match self {
             Self::Runs(report, _) => report.to_json(),
+            Self::Compared(report, _) => report.to_json(),
             Self::Suite(card) => card.to_json(),
         }
     }
@@ -46,6 +52,7 @@ impl Report for Judged {
     fn to_document(&self) -> Document {
         match self {
             Self::Runs(report, _) => report.to_document(),
+            Self::Compared(report, _) => report.to_document(),
             Self::Suite(card) => card.to_document(),
         }
     }
@@ -53,6 +60,7 @@ impl Report for Judged {
     fn has_failed(&self) -> bool {
         match self {
             Self::Runs(report, limit) => report.is_beyond(*limit),
+            Self::Compared(report, limit) => report.is_beyond(*limit),
             Self::Suite(card) => card.has_failed(),
         }
     }

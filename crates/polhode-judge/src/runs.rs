@@ -10,7 +10,9 @@ use polhode_source::files::{Confined, Files, NotOpened, is_path_of};
 use polhode_source::{Failure, shown};
 use polhode_table::log::{self, RunLog};
 
-use crate::report::{JudgeReport, JudgedRun, judge_hint};
+use crate::against::{Interpretation, Other};
+use crate::free_body::FreeBody;
+use crate::report::{ComparedRun, Comparison, JudgeReport, JudgedRun, judge_hint};
 use crate::request::Request;
 
 /// Request with its file system.
@@ -22,9 +24,30 @@ pub(crate) struct Judge<'a> {
 
 impl<'a> Judge<'a> {
     pub(crate) fn report(self) -> Result<JudgeReport, Failure> {
+        let (scenario, mut logs) = self.logs()?;
+        let scenario = match scenario {
+            Some(path) => {
+                let file = ScenarioFile::read(self.files, path)?;
+                logs.iter().try_for_each(|(run, log)| self.require_of(&file, run, log))?;
+                file
+            }
+            None => match self.free_body()? {
+                Some(body) => self.started(&body, &mut logs)?,
+                None => self.named(&logs)?,
+            },
+        };
+        let judged = logs.into_iter().map(|(path, log)| self.judged(&scenario, path, log, None));
+        let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
+        let names: BTreeSet<String> = judged.iter().map(|run| run.name.clone()).collect();
+        if names.len() < judged.len() {
+            judged.iter_mut().for_each(|run| run.path.iter().for_each(|path| run.name.clone_from(path)));
+        }
+        Ok(JudgeReport::new(&scenario.scenario, judged))
+    }
+
+    /// Returns the scenario of the request, if it has one, and the logs of its runs.
+    fn logs(self) -> Result<(Option<&'a Path>, Vec<(&'a Path, RunLog)>), Failure> {
         require_folders(self.files, &self.request.roots)?;
-        let is_scenario =
-            |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
         let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) =
             self.request.files.iter().partition(|path| is_scenario(path));
         if let [_, second, ..] = scenarios[..] {
@@ -47,21 +70,109 @@ impl<'a> Judge<'a> {
             .iter()
             .map(|path| Ok((path.as_path(), log::read(self.files, path, columns)?)))
             .collect::<Result<Vec<_>, Failure>>()?;
-        let scenario = match scenarios.first() {
-            Some(path) => {
-                let file = ScenarioFile::read(self.files, path)?;
-                logs.iter().try_for_each(|(run, log)| self.require_of(&file, run, log))?;
-                file
-            }
-            None => self.named(&logs)?,
+        Ok((scenarios.first().map(|path| path.as_path()), logs))
+    }
+
+    /// Compares the runs with another log.
+    pub(crate) fn compared(self, other: &Path) -> Result<Comparison, Failure> {
+        let moments = self.request.moments.as_ref().map(|moments| moments.value.0);
+        let (_, logs) = self.logs()?;
+        let reference = log::read(self.files, other, None)?;
+        let against = Other::of(other, &reference, moments)?;
+        let hint = "state its conventions: --quaternion wxyz or xyzw, --sense body-to-space or space-to-body, --omega body or space";
+        let compared = |(path, log): (&Path, RunLog)| {
+            require_same_scenario(path, &log, other, &reference)?;
+            let declared = self.request.read_as.declared(&log.says);
+            let interpretation = Interpretation::of(path, &log.log, &declared, hint)?;
+            let found = against.differences(path, &log, interpretation)?;
+            Ok(ComparedRun {
+                path: shown(path),
+                step: self.request.step.as_ref().map(|step| step.value.0.into()).or(log.step),
+                ignored: log.not_read(),
+                is_single_precision: log.log.is_single_precision(),
+                engine: log.engine,
+                found,
+            })
         };
-        let judged = logs.into_iter().map(|(path, log)| self.judged(&scenario, path, log, None));
-        let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
-        let names: BTreeSet<String> = judged.iter().map(|run| run.name.clone()).collect();
-        if names.len() < judged.len() {
-            judged.iter_mut().for_each(|run| run.path.iter().for_each(|path| run.name.clone_from(path)));
+        let runs = logs.into_iter().map(compared).collect::<Result<Vec<_>, Failure>>()?;
+        Ok(Comparison::new(against, runs))
+    }
+
+    /// Checks that the options state one motion with which the runs are compared.
+    pub(crate) fn require_one_reference(self) -> Result<(), Failure> {
+        let Request { files, moments, start_omega, against, read_as, suite, .. } = self.request;
+        let option = match (against, moments) {
+            (Some(_), _) => "--against",
+            (None, Some(_)) => "--moments",
+            (None, None) if start_omega.is_none() => return Ok(()),
+            (None, None) => {
+                return Err(Failure::usage(
+                    "--start-omega has no effect without --moments",
+                    "add --moments A,B,C; a scenario states its ω in [start]",
+                ));
+            }
+        };
+        let refused = |message: String, hint: &str| Err(Failure::usage(message, hint));
+        if let Some(scenario) = files.iter().find(|path| is_scenario(path)) {
+            return refused(
+                format!("{} and {option} both state the motion of the run", shown(scenario)),
+                "remove one of them",
+            );
         }
-        Ok(JudgeReport::new(&scenario.scenario, judged))
+        if suite.is_some() {
+            return refused(
+                format!("{option} has no effect on the suite, whose cases have their own motions"),
+                "remove one of them",
+            );
+        }
+        if against.is_some() {
+            return match start_omega {
+                Some(_) => refused(
+                    "--start-omega has no effect with --against: no motion is computed".to_owned(),
+                    "remove one of them",
+                ),
+                None => Ok(()),
+            };
+        }
+        if read_as.axes.is_some() {
+            let message =
+                "--axes has no effect with --moments: the moments are about the body axes of the run";
+            return refused(
+                message.to_owned(),
+                "remove --axes, and give the moments in the order of the run's axes",
+            );
+        }
+        if read_as.time_origin.is_some() {
+            let message = "--time-origin has no effect with --moments: the motion starts at the first row";
+            return refused(message.to_owned(), "remove --time-origin");
+        }
+        Ok(())
+    }
+
+    /// Returns the free body of the request, if it states one.
+    fn free_body(self) -> Result<Option<FreeBody>, Failure> {
+        let Request { moments, start_omega, .. } = self.request;
+        let omega = start_omega.as_ref().map(|omega| omega.value.0);
+        moments.as_ref().map(|moments| FreeBody::new(moments.value.0, omega)).transpose()
+    }
+
+    /// Returns the scenario of a free body that starts at the first row of the first log. The clock
+    /// and the axes of this log become those of the scenario.
+    fn started(self, body: &FreeBody, logs: &mut [(&Path, RunLog)]) -> Result<ScenarioFile, Failure> {
+        if let Some((run, said)) = logs.iter().find_map(|(run, log)| Some((run, log.scenario.as_ref()?))) {
+            let message =
+                format!("the log names the scenario {:?}, but --moments states another body", said.display());
+            let hint = "remove --moments, or remove the line `scenario = …` from the log";
+            return Err(Failure::usage(message, hint).about(run));
+        }
+        let Some((run, log)) = logs.first_mut() else {
+            return Err(Failure::usage("no log to judge was given", "add the log that a program wrote"));
+        };
+        let scenario = body.scenario(&log.log, &self.request.read_as.declared(&log.says));
+        let scenario =
+            scenario.map_err(|error| Failure::usage(error.to_string(), error.hint()).about(run))?;
+        log.says = FreeBody::declared(&log.log, &log.says);
+        Ok(scenario)
     }
 
     /// Returns the scenario that the runs name, relative to them. A log is data, so it opens no
@@ -71,7 +182,7 @@ impl<'a> Judge<'a> {
         for (run, log) in logs {
             let path = shown(run);
             let Some(said) = &log.scenario else {
-                let hint = "add the scenario: polhode judge SCENARIO.toml RUN; or name it in the log: a line `# scenario = \"t-handle.toml\"` before the header";
+                let hint = "add the scenario: polhode judge SCENARIO.toml RUN; or name it in the log: a line `# scenario = \"t-handle.toml\"` before the header; or, for a free body, add its principal moments: --moments A,B,C";
                 return Err(Failure::usage(format!("{path} does not name its scenario"), hint));
             };
             let files = Confined::to_folder_of(self.files, run, &self.request.roots);
@@ -163,6 +274,26 @@ impl<'a> Judge<'a> {
             .map_err(|error| refused(file, path, error))?;
         Ok(JudgedRun { ignored: log.not_read(), engine: log.engine, ..judged })
     }
+}
+
+/// Checks that two logs do not name scenarios with different file names.
+fn require_same_scenario(run: &Path, log: &RunLog, other: &Path, reference: &RunLog) -> Result<(), Failure> {
+    let (Some(one), Some(another)) = (&log.scenario, &reference.scenario) else { return Ok(()) };
+    if one.file_name() == another.file_name() {
+        return Ok(());
+    }
+    let message = format!(
+        "the log names the scenario {:?}, but {} names {:?}",
+        one.display(),
+        shown(other),
+        another.display()
+    );
+    let hint = "compare logs of one motion, or remove the line `scenario = …` from one of them";
+    Err(Failure::usage(message, hint).about(run))
+}
+
+fn is_scenario(path: &PathBuf) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
 }
 
 /// Returns the folder of a file.

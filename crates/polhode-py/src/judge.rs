@@ -7,7 +7,7 @@ use polhode::infer::judge::{
     AttitudeSense, DeclaredReading, JudgeError, LogError, MotionLog, OmegaAxes, QuaternionOrder, RateErrors,
     SignedAxes,
 };
-use polhode_judge::{JudgeReport, JudgedRun, judge_hint};
+use polhode_judge::{FreeBody, JudgeReport, JudgedRun, judge_hint};
 use polhode_scenario::read::ScenarioFile;
 use polhode_source::files::Disk;
 use polhode_table::log as run_log;
@@ -17,6 +17,39 @@ use pyo3::prelude::*;
 use crate::arrays::{Signs, matrix, numbers, rows};
 use crate::error::{PolhodeError, Raise, refused};
 use crate::finding::{Remark, remarks};
+
+/// Motion with which a run is compared: that of a scenario, or of a free body that starts at the
+/// first row. `text` is the same as in `simulate`.
+#[derive(Clone, Debug, FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Compared {
+    path: PathBuf,
+    text: Option<String>,
+    moments: Option<[f64; 3]>,
+    start_omega: Option<[f64; 3]>,
+}
+
+impl Compared {
+    /// Returns the scenario, and the declarations for a log that is judged by it.
+    fn scenario(
+        self,
+        log: &MotionLog,
+        declared: DeclaredReading,
+    ) -> PyResult<(ScenarioFile, DeclaredReading)> {
+        if let Some(moments) = self.moments {
+            let body = FreeBody::new(moments, self.start_omega)
+                .map_err(|failure| refused(failure.message(), failure.hint().as_deref()))?;
+            let scenario = body.scenario(log, &declared);
+            let scenario = scenario.map_err(|error| refused(&error, Some(error.hint())))?;
+            return Ok((scenario, FreeBody::declared(log, &declared)));
+        }
+        let scenario = match self.text {
+            None => ScenarioFile::read(&Disk, &self.path),
+            Some(text) => ScenarioFile::parse(&Disk, text, &self.path),
+        };
+        Ok((scenario.map_err(Raise::raise)?, declared))
+    }
+}
 
 /// Conventions of a run as stated by the user; the others are detected.
 #[derive(Clone, Debug, FromPyObject)]
@@ -89,15 +122,14 @@ pub(crate) struct Judged<'py> {
 }
 
 /// Judges arrays: times, attitudes as quaternions or 3 × 3 matrices (nine numbers), and angular
-/// velocities. `text` is the same as in `simulate`.
+/// velocities.
 ///
 /// # Errors
 /// `PolhodeError` for data that are not a motion, and for a motion that cannot be judged.
 #[pyfunction]
 pub(crate) fn judge_arrays<'py>(
     py: Python<'py>,
-    path: PathBuf,
-    text: Option<String>,
+    compared: Compared,
     times: PyReadonlyArray1<'py, f64>,
     attitude: PyReadonlyArray2<'py, f64>,
     omega: Option<PyReadonlyArray2<'py, f64>>,
@@ -117,7 +149,7 @@ pub(crate) fn judge_arrays<'py>(
     };
     let declared = said.declared(&says)?;
     let (scenario, run) = py.detach(|| {
-        let scenario = scenario(&path, text)?;
+        let (scenario, declared) = compared.scenario(&log, declared)?;
         let run = JudgedRun::of(None, &scenario.scenario, &log, &declared, said.step)
             .map_err(|error| unjudged(&scenario, None, &error))?;
         Ok::<_, PyErr>((scenario, JudgedRun { engine: said.engine, ..run }))
@@ -132,8 +164,7 @@ pub(crate) fn judge_arrays<'py>(
 #[pyfunction]
 pub(crate) fn judge_file<'py>(
     py: Python<'py>,
-    path: PathBuf,
-    text: Option<String>,
+    compared: Compared,
     run: PathBuf,
     columns: Option<&str>,
     said: Said,
@@ -144,21 +175,12 @@ pub(crate) fn judge_file<'py>(
         let read = run_log::read(&Disk, &run, columns.as_ref()).map_err(Raise::raise)?;
         let ignored = read.not_read();
         let RunLog { log, says, step, engine, .. } = read;
-        let declared = said.declared(&says)?;
-        let scenario = scenario(&path, text)?;
+        let (scenario, declared) = compared.scenario(&log, said.declared(&says)?)?;
         let judged = JudgedRun::of(Some(&run), &scenario.scenario, &log, &declared, said.step.or(step))
             .map_err(|error| unjudged(&scenario, Some(&run), &error))?;
         Ok::<_, PyErr>((scenario, JudgedRun { engine: said.engine.or(engine), ignored, ..judged }))
     })?;
     judged(py, &scenario, run)
-}
-
-fn scenario(path: &Path, text: Option<String>) -> PyResult<ScenarioFile> {
-    match text {
-        None => ScenarioFile::read(&Disk, path),
-        Some(text) => ScenarioFile::parse(&Disk, text, path),
-    }
-    .map_err(Raise::raise)
 }
 
 /// Returns the exception for a run that cannot be judged; `run` is its file, if it has one.

@@ -361,3 +361,26 @@ def test_what_was_assumed_of_the_scenario_is_said(examples: Path) -> None:
         assert polhode.judge(text, times=motion.times, attitude=motion.attitude).is_exact
     assert [str(warning.message).split()[-1] for warning in heard] == ["[mesh.unit]", "[sweep.nominal]"]
     assert {warning.filename for warning in heard} == {__file__}
+
+
+def test_a_free_body_needs_no_scenario(tmp_path: Path) -> None:
+    moments = [1.1, 2.3, 1.7]
+    exact = polhode.FreeMotion(moments=moments, omega=OMEGA, attitude=START).at(TIMES)
+    judgement = polhode.judge(moments=moments, times=TIMES + 2.5, attitude=exact.attitude, omega=exact.omega)
+    assert judgement.largest_attitude_error < 1e-14
+    assert judgement.reading.time_origin == 2.5
+    judgement = polhode.judge(moments=moments, start_omega=OMEGA, times=TIMES, attitude=constant_omega())
+    assert judgement.likeliest is not None and judgement.likeliest.id == "no_gyroscopic_term"
+    table = np.column_stack([TIMES, exact.attitude, exact.omega])
+    np.savetxt(tmp_path / "run.csv", table, fmt="%.17g", delimiter=",", header="t,qw,qx,qy,qz,wx,wy,wz", comments="")
+    assert polhode.judge(run=tmp_path / "run.csv", moments=moments).largest_attitude_error < 1e-14
+    for wrong, says in [
+        ({"times": TIMES, "attitude": exact.attitude}, "exactly one of scenario and moments"),
+        ({"moments": moments, "times": TIMES, "attitude": exact.attitude}, "start_omega"),
+        ({"moments": [1, 2, 9], "times": TIMES, "attitude": exact.attitude}, "is less than i3 = 9"),
+        ({"moments": moments, "times": TIMES, "attitude": exact.attitude, "axes": "y,z,x"}, "axes has no effect with moments"),
+        ({"moments": moments, "times": TIMES, "attitude": exact.attitude, "time_origin": 1.0}, "time_origin has no effect"),
+        ({"scenario": BODY, "start_omega": OMEGA, "times": TIMES, "attitude": exact.attitude}, "without moments"),
+    ]:
+        with pytest.raises(polhode.PolhodeError, match=says):
+            polhode.judge(**wrong)

@@ -95,6 +95,8 @@ def more() -> Iterator[tuple[Callable[..., Any], dict[str, Any], Callable[[Any],
         {"scenario": f"{body}[start]\nspin = {{ body = [0.3, -1.2, 0.4] }}\n", "times": times, "attitude": attitude, "omega": omega, "time_origin": 0.0, "step": 0.02},
         lambda found: found.attitude_error,
     )
+    free = {"moments": [1, 2, 2.5], "start_omega": [0.3, -1.2, 0.4], "times": times, "attitude": attitude}
+    yield polhode.judge, free, lambda found: found.attitude_error
     down = np.repeat([[0, 0, -1], [0, -1, 0], [-1, 0, 0], [0.6, 0.8, 0]], 8, axis=0) * 9.81
     noise = np.random.default_rng(2)
     motion = {name: 0.01 * noise.normal(size=(32, 3)) for name in ("omega", "alpha", "acceleration")}

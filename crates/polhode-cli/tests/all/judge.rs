@@ -535,7 +535,8 @@ fn every_option_is_honoured_or_refused() {
     }
     let beside = scratch.run(&[&files[..], &["--suite", "runs"]].concat());
     assert!(refused(&beside, 2).contains("--suite"));
-    let others = ["--root", "--suite", "--write-suite"];
+    // `judge_without_scenario` tests the options that replace the scenario.
+    let others = ["--root", "--suite", "--write-suite", "--moments", "--start-omega", "--against"];
     let listed: Vec<&str> = given.iter().map(|option| option[0]).chain(others).collect();
     assert_eq!(options_of("judge"), listed.into_iter().map(str::to_owned).collect());
 }

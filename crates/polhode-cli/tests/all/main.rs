@@ -32,6 +32,7 @@ mod inertia;
 mod interrupted;
 mod judge;
 mod judge_mistakes;
+mod judge_without_scenario;
 mod limits;
 mod live;
 mod mass_history;

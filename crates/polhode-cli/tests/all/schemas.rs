@@ -98,7 +98,8 @@ fn requests_fit() {
     let full = json!({
         "files": ["a.toml", "run.csv"], "columns": "time=t, quaternion xyzw=qx qy qz qw", "quaternion": "xyzw",
         "sense": "space-to-body", "omega": "body", "axes": "x,z,-y", "time-origin": "2 s", "step": "2 ms", "root": ["logs"],
-        "limit": "0.1 deg", "suite": "suite",
+        "limit": "0.1 deg", "suite": "suite", "moments": "1, 2, 3", "start-omega": "0.1, 0, 3",
+        "against": "old.csv",
     });
     check_request::<polhode_judge::Request>(polhode_judge::REQUEST_SCHEMA, &full);
     let full = json!({ "plan": "plan.toml", "threads": 4 });
@@ -137,6 +138,10 @@ fn reports_of_examples_fit() {
         assert_eq!(misfit(polhode_judge::REPORT_SCHEMA, &report), None);
         require_refused(polhode_judge::REPORT_SCHEMA, &report);
     }
+    let output = scratch.run(&["judge", &rapier, "--against", &mujoco, "--moments", "1,2,2.5", "--json"]);
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(misfit(polhode_judge::REPORT_SCHEMA, &report), None);
+    require_refused(polhode_judge::REPORT_SCHEMA, &report);
     let plan = example("sweeps/sleeping-threshold.toml");
     let report = json(&scratch.run(&["sweep", &plan, "--json"]));
     require_refused(polhode_sweep::REPORT_SCHEMA, &report);

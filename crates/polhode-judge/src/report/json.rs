@@ -2,8 +2,8 @@
 
 use polhode::body::Finding;
 use polhode::infer::judge::{
-    AccuracyOrder, AttitudeSense, Cause, Growth, OmegaAxes, QuaternionOrder, RateErrors, Reading, Readings,
-    Split,
+    AccuracyOrder, AttitudeSense, Cause, Growth, OmegaAxes, OmegaReading, QuaternionOrder, RateErrors,
+    Reading, Readings, Split,
 };
 use polhode_document::VERSION;
 use polhode_document::finding;
@@ -62,7 +62,7 @@ fn readings(readings: &Readings) -> Value {
     let tried = |tried: &polhode::infer::judge::ReadingResidual| json!({ "reading": reading(&tried.reading), "attitude_rad": tried.attitude, "of_the_turn": tried.relative });
     json!({
         "found": reading(&readings.reading),
-        "omega_axes": readings.omega_axes().map(|axes| match axes { OmegaAxes::Body => "body", OmegaAxes::Space => "space" }),
+        "omega_axes": readings.omega_axes().map(frame),
         "omega_components": readings.omega.map(|omega| omega.components.to_string()),
         "omega_factor": readings.omega.map(|omega| omega.factor),
         "against_names": readings.is_against_names,
@@ -71,6 +71,18 @@ fn readings(readings: &Readings) -> Value {
         "equivalent": readings.equivalent,
         "tried": readings.tried.iter().map(tried).collect::<Value>(),
     })
+}
+
+/// Returns the meaning of a log that was not compared with a motion.
+pub(crate) fn interpretation(found: &Reading, omega: Option<OmegaReading>) -> Value {
+    json!({ "found": reading(found), "omega_axes": omega.map(|omega| frame(omega.frame)) })
+}
+
+const fn frame(axes: OmegaAxes) -> &'static str {
+    match axes {
+        OmegaAxes::Body => "body",
+        OmegaAxes::Space => "space",
+    }
 }
 
 fn reading(reading: &Reading) -> Value {
@@ -93,7 +105,7 @@ fn rates(rates: &RateErrors) -> Value {
     })
 }
 
-fn growth(growth: Growth) -> Value {
+pub(crate) fn growth(growth: Growth) -> Value {
     match growth {
         Growth::Unknown => Value::Null,
         Growth::Power { exponent } => json!({ "law": "power", "exponent": exponent }),
@@ -101,7 +113,7 @@ fn growth(growth: Growth) -> Value {
     }
 }
 
-fn split(split: &Split) -> Value {
+pub(crate) fn split(split: &Split) -> Value {
     let part = |part: &polhode::infer::judge::SplitPart| {
         let value = part.value.map(|value| numbers(&value[..part.kind.count()]));
         json!({

@@ -1,6 +1,7 @@
 //! Reports on runs of other programs, as text and JSON.
 
 mod card;
+mod compared;
 mod graph;
 mod hint;
 mod json;
@@ -16,6 +17,8 @@ use polhode::motion::Scenario;
 use polhode_document::layout::printable;
 
 pub use card::{Card, CardCase, CardRun};
+pub(crate) use compared::ComparedRun;
+pub use compared::Comparison;
 pub use hint::judge_hint;
 pub use verdicts::JudgeReport;
 
@@ -106,6 +109,14 @@ impl JudgedRun {
 
 /// Relative error of ω caused by its rounding.
 const OMEGA_EXACT: f64 = 1e-12;
+
+/// Returns a text with an upper-case first letter.
+fn capitalized(mut text: String) -> String {
+    if let Some(first) = text.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    text
+}
 
 /// Returns the spacing of equidistant rows, s; `None` if they are not equidistant.
 fn spacing(times: &[f64]) -> Option<f64> {

@@ -8,7 +8,7 @@ use polhode_document::number::{count, counted, error, number};
 use polhode_document::{Document, Section};
 use serde_json::Value;
 
-use super::{JudgedRun, accuracy_order, graph, json, words};
+use super::{JudgedRun, accuracy_order, capitalized, graph, json, words};
 
 /// Report on one scenario and its judged runs by other programs.
 #[derive(Clone, Debug)]
@@ -166,28 +166,7 @@ impl JudgeReport {
     fn parts(&self) -> Section {
         let mut s = Section::new(4, "Error breakdown");
         for run in self.runs.iter().filter(|run| !run.is_exact()) {
-            let split = &run.judgement.split;
-            let until = number(split.until, 4);
-            s.say(format!(
-                "{}: error until {until} s, {} rad (root mean square). The squares of the components add up to its square:",
-                run.name,
-                error(split.total)
-            ));
-            let of_total = |part: f64| words::share(part / split.total.max(f64::MIN_POSITIVE));
-            let mut rows: Vec<Vec<String>> = (split.parts.iter())
-                .map(|part| {
-                    let worth = part.value.map_or_else(|| "—".to_owned(), |_| of_total(part.attitude));
-                    vec![words::part_title(part.kind).to_owned(), worth, words::part(part)]
-                })
-                .collect();
-            rows.push(vec![
-                "noise".to_owned(),
-                of_total(split.noise),
-                format!("random, {} rad from row to row", error(split.noise)),
-            ]);
-            let rest = (split.rest.powi(2) - split.noise.powi(2)).max(0.0).sqrt();
-            rows.push(vec!["remainder".to_owned(), of_total(rest), "none of the above".to_owned()]);
-            s.table(&["component", "share of the error", "value"], rows);
+            words::breakdown(&mut s, "error", &run.name, &run.judgement.split);
         }
         if s.blocks.is_empty() {
             s.say("No error is distinguishable from zero.");
@@ -215,14 +194,6 @@ impl JudgeReport {
         }
         (!s.blocks.is_empty()).then_some(s)
     }
-}
-
-/// Returns a text with an upper-case first letter.
-fn capitalized(mut text: String) -> String {
-    if let Some(first) = text.get_mut(..1) {
-        first.make_ascii_uppercase();
-    }
-    text
 }
 
 fn order(order: &AccuracyOrder) -> Section {

@@ -1,6 +1,9 @@
 //! Sentences on one run.
 
-use polhode::infer::judge::{AttitudeSense, Growth, PartKind, Reading, SignedAxes, SplitPart, Untried};
+use polhode::infer::judge::{
+    AttitudeSense, Growth, PartKind, Reading, SignedAxes, Split, SplitPart, Untried,
+};
+use polhode_document::Section;
 use polhode_document::layout::printable;
 use polhode_document::number::{error, number, vector};
 
@@ -102,6 +105,30 @@ pub(crate) fn share(part: f64) -> String {
     } else {
         format!("{} %", number(percent, 3))
     }
+}
+
+/// Adds the components of an error, or of a difference, to a section.
+pub(crate) fn breakdown(s: &mut Section, what: &str, name: &str, split: &Split) {
+    s.say(format!(
+        "{name}: {what} until {} s, {} rad (root mean square). The squares of the components add up to its square:",
+        number(split.until, 4),
+        error(split.total)
+    ));
+    let of_total = |part: f64| share(part / split.total.max(f64::MIN_POSITIVE));
+    let mut rows: Vec<Vec<String>> = (split.parts.iter())
+        .map(|one| {
+            let worth = one.value.map_or_else(|| "—".to_owned(), |_| of_total(one.attitude));
+            vec![part_title(one.kind).to_owned(), worth, part(one)]
+        })
+        .collect();
+    rows.push(vec![
+        "noise".to_owned(),
+        of_total(split.noise),
+        format!("random, {} rad from row to row", error(split.noise)),
+    ]);
+    let rest = (split.rest.powi(2) - split.noise.powi(2)).max(0.0).sqrt();
+    rows.push(vec!["remainder".to_owned(), of_total(rest), "none of the above".to_owned()]);
+    s.table(&["component", &format!("share of the {what}"), "value"], rows);
 }
 
 /// Returns the value of a part in words, such as `rotation too fast by 1.2e-7 (relative)`.

@@ -13,7 +13,7 @@ _SWITCHES = {"hull", "union", "resume", "force"}
 _RENAMED = {"root": "roots", "joint": "joints", "part": "parts", "omega": "omega_axes"}
 _SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule", "field", "tolerance"}
 _SAME |= {"spacing", "origin", "per-value", "link", "subtree", "threads", "workers", "worker-timeout"}
-_SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns", "weld", "fill", "draws"}
+_SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns", "moments", "start-omega", "weld", "fill", "draws"}
 #: Values of options that are functions in Python.
 _FUNCTIONS = {"--lump fixed": "fixed_groups()"}
 

@@ -17,9 +17,11 @@ from ._simulate import warn_of_scenario
 
 
 def judge(
-    scenario: str | os.PathLike[str] | Scenario,
+    scenario: str | os.PathLike[str] | Scenario | None = None,
     run: str | os.PathLike[str] | None = None,
     *,
+    moments: npt.ArrayLike | None = None,
+    start_omega: npt.ArrayLike | None = None,
     times: npt.ArrayLike | None = None,
     attitude: object = None,
     omega: npt.ArrayLike | None = None,
@@ -43,6 +45,12 @@ def judge(
         its ``[run]`` is not used.
     run
         The motion as a log file: CSV, Parquet or JSON lines.
+    moments
+        Instead of ``scenario``: principal moments (3,) about the body axes of the run, kg·m², of a
+        free body that starts with the attitude and ω of the first row.
+    start_omega
+        ω (3,) at the first row along body axes, rad/s, with ``moments``; by default that of the
+        run.
     times, attitude, omega
         The motion as arrays: times (n,), ascending, s; quaternions (n, 4), matrices (n, 3, 3) or a
         ``scipy.spatial.transform.Rotation`` of n; optionally angular velocities (n, 3), rad/s.
@@ -98,8 +106,11 @@ def judge(
     True
     >>> judgement.likeliest.id
     'no_gyroscopic_term'
+    >>> judgement = polhode.judge(moments=[1, 2, 2.5], start_omega=omega, times=times, attitude=attitude)
+    >>> judgement.likeliest.id
+    'no_gyroscopic_term'
     """
-    path, text = formula_source(scenario)
+    compared = _compared(scenario, moments, start_omega, axes, time_origin)
     said: _native.Said = {
         "quaternion": _one_of("quaternion", quaternion, ["wxyz", "xyzw"]),
         "sense": _one_of("sense", sense, ["body_to_space", "space_to_body"]),
@@ -115,7 +126,7 @@ def judge(
         if given:
             raise PolhodeError(f"{' and '.join(given)} have no effect on a log: give either run, or times and attitude")
         told = None if columns is None else _arrays.text("columns", columns)
-        judged = _native.judge_file(path, text, _arrays.path("run", run), told, said)
+        judged = _native.judge_file(compared, _arrays.path("run", run), told, said)
     else:
         if times is None or attitude is None:
             raise PolhodeError("give either run, or both times and attitude")
@@ -124,9 +135,33 @@ def judge(
         if omega is None and omega_axes is not None:
             raise PolhodeError("omega_axes has no effect without omega")
         rates = None if omega is None else _arrays.numbers("omega", omega, ("n", 3))
-        judged = _native.judge_arrays(path, text, _arrays.numbers("times", times, ("n",)), _attitudes(attitude, said), rates, said)
+        judged = _native.judge_arrays(compared, _arrays.numbers("times", times, ("n",)), _attitudes(attitude, said), rates, said)
     warn_of_scenario(findings_of(judged["findings"]))
     return Judgement(judged)
+
+
+def _compared(
+    scenario: str | os.PathLike[str] | Scenario | None,
+    moments: npt.ArrayLike | None,
+    start_omega: npt.ArrayLike | None,
+    axes: str | None,
+    time_origin: float | None,
+) -> _native.Compared:
+    """Returns the motion with which a run is compared: that of a scenario or of a free body."""
+    if (scenario is None) == (moments is None):
+        raise PolhodeError("give exactly one of scenario and moments: judge(run=..., moments=...) needs no scenario")
+    if moments is None:
+        if start_omega is not None:
+            raise PolhodeError("start_omega has no effect without moments: a scenario states its ω in [start]")
+        assert scenario is not None
+        path, text = formula_source(scenario)
+        return {"path": path, "text": text, "moments": None, "start_omega": None}
+    if axes is not None:
+        raise PolhodeError("axes has no effect with moments: they are about the body axes of the run")
+    if time_origin is not None:
+        raise PolhodeError("time_origin has no effect with moments: the motion starts at the first row")
+    omega = None if start_omega is None else _arrays.triple("start_omega", start_omega)
+    return {"path": "moments", "text": None, "moments": _arrays.triple("moments", moments), "start_omega": omega}
 
 
 def _attitudes(attitude: Any, said: _native.Said) -> Floats:

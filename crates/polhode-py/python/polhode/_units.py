@@ -50,7 +50,7 @@ DIMENSIONS: dict[str, Dimension] = {
     "area_density": AREA_DENSITY,
     "line_density": LINE_DENSITY,
     **dict.fromkeys(["inertia", "inertias", "moments", "added"], INERTIA),
-    **dict.fromkeys(["omega", "gyro", "gyro_noise", "slowest", "omega_noise"], ANGULAR_VELOCITY),
+    **dict.fromkeys(["omega", "start_omega", "gyro", "gyro_noise", "slowest", "omega_noise"], ANGULAR_VELOCITY),
     **dict.fromkeys(["alpha", "alpha_noise"], ANGULAR_ACCELERATION),
     **dict.fromkeys(["acceleration", "acceleration_noise", "gravity"], ACCELERATION),
     **dict.fromkeys(["force", "force_noise"], FORCE),

@@ -1,0 +1,69 @@
+//! Choice among interpretations of a log by their residuals.
+
+/// Largest residual of an interpretation that fits, relative to the rotation angle.
+///
+/// Even under a wrong law of motion, rows follow from each other up to second order in the rotation
+/// angle. A wrong interpretation has an error as large as the angle itself.
+const FITS: f64 = 0.3;
+/// Largest residual (relative) of an interpretation that replaces a named one which fits roughly.
+const REPLACES: f64 = 0.03;
+/// Ratio of residuals above which the smaller one decides.
+const CLEARLY: f64 = 10.0;
+/// Residual due to rounding, rad.
+const SAME: f64 = 1e-12;
+
+/// Interpretation with its residual.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tried<T> {
+    pub(crate) of: T,
+    /// RMS of the angle that the interpretation leaves unexplained, rad.
+    pub(crate) angle: f64,
+    /// This angle relative to the rotation angle.
+    pub(crate) relative: f64,
+}
+
+impl<T> Tried<T> {
+    fn fits(&self) -> bool {
+        self.relative <= FITS
+    }
+}
+
+/// Interpretations that do not determine the meaning of a log, best first.
+#[derive(Clone, Debug)]
+pub(crate) enum Undecided<T> {
+    /// None fits.
+    Unlike(Vec<Tried<T>>),
+    /// Several fit about equally well, and have different results.
+    Ambiguous(Vec<Tried<T>>),
+}
+
+/// Returns the interpretation with the smallest residual.
+///
+/// `named` are those by the names of the columns. They come first, unless none of them fits, or
+/// another one fits much better.
+///
+/// # Errors
+/// [`Undecided`] if none fits, or if others that are not `is_same` fit about equally well.
+pub(crate) fn chosen<T: Copy>(
+    named: Vec<Tried<T>>,
+    all: Vec<Tried<T>>,
+    is_same: impl Fn(&T, &T) -> bool,
+) -> Result<T, Undecided<T>> {
+    let sorted = |mut tried: Vec<Tried<T>>| {
+        tried.sort_by(|a, b| a.angle.total_cmp(&b.angle));
+        tried
+    };
+    let (named, all) = (sorted(named), sorted(all));
+    let is_replaced = |by_name: &Tried<T>| {
+        let is_better = |other: &Tried<T>| CLEARLY * other.angle.max(SAME) < by_name.angle;
+        !by_name.fits() || all.first().is_some_and(|best| best.relative <= REPLACES && is_better(best))
+    };
+    let group = if named.first().is_none_or(is_replaced) { all } else { named };
+    let Some(best) = group.first().copied().filter(Tried::fits) else {
+        return Err(Undecided::Unlike(group));
+    };
+    let bound = CLEARLY * best.angle.max(SAME);
+    let fitting: Vec<Tried<T>> = group.into_iter().filter(|one| one.fits() && one.angle <= bound).collect();
+    let is_one = fitting.iter().all(|other| is_same(&other.of, &best.of));
+    if is_one { Ok(best.of) } else { Err(Undecided::Ambiguous(fitting)) }
+}

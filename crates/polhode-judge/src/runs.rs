@@ -163,14 +163,14 @@ impl<'a> Judge<'a> {
             let message =
                 format!("the log names the scenario {:?}, but --moments states another body", said.display());
             let hint = "remove --moments, or remove the line `scenario = …` from the log";
-            return Err(Failure::usage(message, hint).about(run));
+            return Err(Failure::usage(message, hint).in_file(run));
         }
         let Some((run, log)) = logs.first_mut() else {
             return Err(Failure::usage("no log to judge was given", "add the log that a program wrote"));
         };
         let scenario = body.scenario(&log.log, &self.request.read_as.declared(&log.says));
         let scenario =
-            scenario.map_err(|error| Failure::usage(error.to_string(), error.hint()).about(run))?;
+            scenario.map_err(|error| Failure::usage(error.to_string(), error.hint()).in_file(run))?;
         log.says = FreeBody::declared(&log.log, &log.says);
         Ok(scenario)
     }
@@ -289,7 +289,7 @@ fn require_same_scenario(run: &Path, log: &RunLog, other: &Path, reference: &Run
         another.display()
     );
     let hint = "compare logs of one motion, or remove the line `scenario = …` from one of them";
-    Err(Failure::usage(message, hint).about(run))
+    Err(Failure::usage(message, hint).in_file(run))
 }
 
 fn is_scenario(path: &PathBuf) -> bool {

@@ -39,7 +39,7 @@ impl Interpretation {
         declared: &DeclaredReading,
         hint: &str,
     ) -> Result<Self, Failure> {
-        let refused = |message: String| Err(Failure::usage(message, hint).about(path));
+        let refused = |message: String| Err(Failure::usage(message, hint).in_file(path));
         let all = Self::all(log, &declared.certain());
         if let [only] = all[..] {
             return Ok(only);

@@ -75,7 +75,7 @@ impl Other {
         let partners = Partners::of(&motion.times, &self.motion.times).map_err(|time| {
             let message = format!("the run has a row at {time} s, but {} has none at this time", self.path);
             let hint = "write both logs at the same times (the other log may have more rows); --time-origin sets the run's time at time 0 of the other log";
-            Failure::usage(message, hint).about(path)
+            Failure::usage(message, hint).in_file(path)
         })?;
         let state = |(&row, &time): (&usize, &f64)| {
             let omega = self.motion.omega.as_ref().map_or(AngularVelocity::ZERO, |omega| omega[row]);

@@ -122,13 +122,26 @@ fn errors_along_the_edge_are_honest() {
     }
 }
 
-/// A plate of some thickness: the upper bound holds in at least 95 % of the draws.
+/// A plate of some thickness: the upper bound holds in at least 95 % of the draws that are
+/// estimated as a lamina. With a second moment of 1.4 standard deviations, a bound at the 84 %
+/// quantile would never hold.
 #[test]
 fn the_bound_of_thickness_holds() {
+    let total = Carried::plate().about_origin()[0];
+    let (edges, held, sd) = laminae(0.004);
+    println!("thickness: {held} of {edges}");
+    assert!(edges > draws(400) / 8 && held as f64 >= 0.95 * edges as f64, "{held} of {edges}");
+    let (edges, held, _) = laminae((1.4 * sd / total).sqrt());
+    println!("greater thickness: {held} of {edges}");
+    assert!(edges > draws(400) / 50 && held as f64 >= 0.9 * edges as f64, "{held} of {edges}");
+}
+
+/// Returns the number of draws estimated as laminae, the number of those whose bound is above the
+/// second moment of a plate of this half thickness (m), and the largest standard deviation.
+fn laminae(half: f64) -> (u64, u64, f64) {
     let mut carried = Carried::plate();
     let normal = normals(&carried, 1)[0];
     // Half of each particle on each side.
-    let half = 0.004;
     carried.0 = carried
         .0
         .iter()
@@ -136,16 +149,16 @@ fn the_bound_of_thickness_holds() {
         .collect();
     let exact = rows(&carried, Course::Generic(1.0), 150, SENSE);
     let truth = carried.about_origin()[0] * half * half;
-    let (mut edges, mut held) = (0_u64, 0);
+    let (mut edges, mut held, mut sd) = (0, 0, 0.0_f64);
     for seed in 0..draws(400) {
         let found = found(&log(noisy(&exact, FORCE, TORQUE, seed)));
         let Some(edge) = found.edge else { continue };
         edges += 1;
-        held += i32::from(edge.thin[0].at_most >= truth);
+        held += u64::from(edge.thin[0].at_most >= truth);
+        sd = sd.max(edge.thin[0].sd);
         assert!(edge.thin[0].thickness_at_most(found.about_center.numbers[0].value) > 0.0);
     }
-    println!("thickness: {held} of {edges}");
-    assert!(edges > draws(400) / 8 && f64::from(held) >= 0.95 * edges as f64, "{held} of {edges}");
+    (edges, held, sd)
 }
 
 /// A payload declared as a plate or a rod is estimated as one, without bias.

@@ -70,8 +70,8 @@ pub fn meant(hint: &str) -> Option<&str> {
 /// Returns the code after `write`, `add`, `give`, `use` and `under it`: assignments, values, and
 /// headers. Alternatives after "or" are not used, a second line after "and" is.
 pub fn codes(hint: &str) -> Vec<&str> {
-    const VERBS: [&str; 9] =
-        ["write ", "add ", "give ", "use ", "under it ", "with ", "on the next line, ", "needs ", "and "];
+    const VERBS: [&str; 8] =
+        ["write ", "add ", "give ", "use ", "under it ", "with ", "on the next line, ", "and "];
     let mut codes: Vec<(usize, &str)> = Vec::new();
     for verb in VERBS {
         for (start, _) in hint.match_indices(verb) {

@@ -10,7 +10,7 @@ use crate::common::{Scratch, refused, stdout};
 const STARTERS: [(&str, i32, &str); 13] = [
     ("bat", 0, "Flips every 1.612 s"),
     ("top", 0, "precess"),
-    ("drone", 0, "Torque N: the air's drag"),
+    ("drone", 0, "Torque N: drag"),
     ("pencil", 0, "Spins about axes 1 and 3 are stable; about axis 2 unstable"),
     ("satellite", 0, "momentum wheel"),
     ("asteroid", 0, "wrote asteroid/: summary.json, trajectory.csv"),

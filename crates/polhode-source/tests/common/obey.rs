@@ -37,7 +37,12 @@ pub fn obey(text: &str, at: &Range<usize>, hint: &str) -> Option<Obeyed> {
         (Some(header), Some(_)) => {
             // The key is in the wrong table.
             let wrong = entry_at(text, at).filter(|_| hint.contains("in place of it"));
-            let text = wrong.map_or(text.to_owned(), |entry| put(text, &entry, "").text);
+            let mut text = wrong.map_or(text.to_owned(), |entry| put(text, &entry, "").text);
+            // An empty list stands where the tables belong.
+            let name = header.trim_matches(['[', ']']).rsplit('.').next()?;
+            for empty in [format!("{name} = []"), format!("{name}=[]")] {
+                text = text.replace(&empty, "");
+            }
             let lines: Vec<&str> = codes.iter().copied().filter(|code| key(code).is_some()).collect();
             Some(put(&text, &(text.len()..text.len()), &format!("\n{header}\n{}\n", lines.join("\n"))))
         }
@@ -65,8 +70,8 @@ pub fn meant(hint: &str) -> Option<&str> {
 /// Returns the code after `write`, `add`, `give`, `use` and `under it`: assignments, values, and
 /// headers. Alternatives after "or" are not used, a second line after "and" is.
 pub fn codes(hint: &str) -> Vec<&str> {
-    const VERBS: [&str; 9] =
-        ["write ", "add ", "give ", "use ", "under it ", "with ", "on the next line, ", "needs ", "and "];
+    const VERBS: [&str; 8] =
+        ["write ", "add ", "give ", "use ", "under it ", "with ", "on the next line, ", "and "];
     let mut codes: Vec<(usize, &str)> = Vec::new();
     for verb in VERBS {
         for (start, _) in hint.match_indices(verb) {
@@ -78,8 +83,12 @@ pub fn codes(hint: &str) -> Vec<&str> {
             let mut next = begin;
             // More assignments follow after commas.
             while let Some(code) = code(&hint[next..]) {
-                codes.push((next, code));
                 let end = next + code.len();
+                // A value before other words is not for the marked place.
+                let is_last = hint[end..].is_empty() || hint[end..].starts_with([',', ';', ':']);
+                if key(code).is_some() || is_header(code) || is_last || hint[end..].starts_with(" or ") {
+                    codes.push((next, code));
+                }
                 if key(code).is_none() || !hint[end..].starts_with(", ") {
                     break;
                 }
@@ -93,8 +102,9 @@ pub fn codes(hint: &str) -> Vec<&str> {
 }
 
 fn is_header(code: &str) -> bool {
-    code.starts_with('[')
-        && code.trim_matches(['[', ']']).chars().all(|c| c.is_ascii_lowercase() || "_.".contains(c))
+    let name = code.trim_matches(['[', ']']);
+    let is_name = name.chars().all(|c| c.is_ascii_lowercase() || "_.".contains(c));
+    code.starts_with('[') && !name.is_empty() && is_name
 }
 
 /// Returns the key of `key = value`.
@@ -227,8 +237,11 @@ pub fn check<E>(
     if let Err(again) = read(&obeyed.text) {
         let (again, place) = parts(&again);
         let place = place.unwrap_or(0..0);
-        let in_it =
-            !place.is_empty() && obeyed.written.start <= place.start && place.end <= obeyed.written.end;
+        // A name that was meant may be of another kind than the text around it wants.
+        let in_it = meant(hint).is_none()
+            && !place.is_empty()
+            && obeyed.written.start <= place.start
+            && place.end <= obeyed.written.end;
         // The next element of a list may have the same mistake.
         let is_next = obeyed.written.end <= place.start;
         assert!(

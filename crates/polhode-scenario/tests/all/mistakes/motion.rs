@@ -402,7 +402,7 @@ fn events_that_cannot_be_are_refused() {
         "switch = 'jett' must be the name of a torque",
         "did you mean \"jet\"?",
     );
-    refuses(
+    refuses_alone(
         &event("measure='time'\nvalue=1\nthen=«{switch='jet'}»"),
         "the key on is missing in then",
         "write { switch",

@@ -36,7 +36,7 @@ enum Starter {
     Top,
     /// Quadrotor built from its parts, tumbling.
     Drone,
-    /// Long satellite that spins about its long axis.
+    /// Long satellite, spinning about its axis.
     Pencil,
     /// Satellite in orbit, with a momentum wheel.
     Satellite,
@@ -46,7 +46,7 @@ enum Starter {
     Moon,
     /// Robot link, for URDF and similar formats.
     RobotLink,
-    /// URDF of a gripper, with two mistakes to find.
+    /// URDF of a gripper, with two mistakes.
     #[cfg(feature = "robot")]
     Gripper,
     /// Molecule as XYZ: formic acid.
@@ -54,7 +54,7 @@ enum Starter {
     /// Parts list with uncertainties and limits.
     #[cfg(feature = "budget")]
     Parts,
-    /// Log of a physics engine, and its free body.
+    /// Log of a physics engine, and its body.
     #[cfg(feature = "judge")]
     Log,
     /// Monte Carlo sweep of a thrown book.

@@ -149,6 +149,20 @@ impl Target {
     }
 }
 
+/// Returns the rest of the key of the first value inside a table or a list.
+fn first_inside(kind: &Kind) -> String {
+    match kind {
+        Kind::Table(entries) => entries
+            .iter()
+            .next()
+            .map_or(String::new(), |(key, entry)| format!(".{key}{}", first_inside(&entry.node.kind))),
+        Kind::List(elements) => {
+            format!("[0]{}", elements.first().map_or(String::new(), |first| first_inside(&first.kind)))
+        }
+        _ => String::new(),
+    }
+}
+
 /// Values of a scenario for lookup by key.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Catalogue<'a> {
@@ -161,12 +175,8 @@ impl Catalogue<'_> {
     pub(crate) fn number(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let spot = self.spot(key)?;
         if let Kind::List(_) | Kind::Table(_) = spot.node.kind {
-            let inside = match &spot.node.kind {
-                Kind::Table(entries) => entries.keys().next().map(|inner| format!(".{inner}")),
-                _ => Some("[0]".to_owned()),
-            };
             let error = key.invalid("a single number of the scenario");
-            let hint = format!("write key = \"{}{}\"", key.string()?, inside.unwrap_or_default());
+            let hint = format!("write key = \"{}{}\"", key.string()?, first_inside(&spot.node.kind));
             return Err(error.with_hint(hint));
         }
         let mut covered = spot.node.places();

@@ -48,7 +48,7 @@ pub(crate) fn limits(value: &Value<'_>, products: Option<ProductSign>) -> Result
             let place = place.ok_or_else(|| table.missing("name", "name = \"tilt\""))?;
             return Err(place
                 .invalid("unique among the limits")
-                .with_hint("give it another name, such as name = \"tilt\""));
+                .with_hint("give it another name: write name = \"tilt\""));
         }
         limits.push(limit);
     }

@@ -129,7 +129,7 @@ fn keys_lead_to_numbers_of_the_scenario() {
             "did you mean 'body.part[\"bus\"].mass'?",
         ),
         ("start.spin.body", "a single number of the scenario", "write key = \"start.spin.body[0]\""),
-        ("start.spin", "a single number of the scenario", "write key = \"start.spin.body\""),
+        ("start.spin", "a single number of the scenario", "write key = \"start.spin.body[0]\""),
         (
             "title",
             "a number of the scenario: words, formulas and counts cannot vary",

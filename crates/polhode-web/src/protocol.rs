@@ -6,7 +6,6 @@ use serde_json::Value;
 /// Documents of a session, in the order in which they were opened.
 #[derive(Clone, Debug, Serialize)]
 pub struct DocumentList {
-    /// All documents.
     pub documents: Vec<DocumentInfo>,
     /// Number of the document to begin with.
     pub first: Option<u32>,
@@ -183,7 +182,7 @@ pub struct CompleteAnswer {
     pub options: Vec<Choice>,
 }
 
-/// Completion.
+/// Completion of a key, a name or a unit.
 #[derive(Debug, Serialize)]
 pub struct Choice {
     /// Text to insert.

@@ -5,7 +5,7 @@
 use crate::{Outcome, read, root};
 
 /// Crates, each with the crates that it may use.
-const MAY_USE: [(&str, &[&str]); 14] = [
+const MAY_USE: [(&str, &[&str]); 15] = [
     ("polhode", &[]),
     ("polhode-source", &["polhode"]),
     ("polhode-document", &["polhode"]),
@@ -17,8 +17,9 @@ const MAY_USE: [(&str, &[&str]); 14] = [
     ("polhode-identify", &SLICE),
     ("polhode-budget", &SLICE),
     ("polhode-sweep", &SLICE),
-    ("polhode-live", FRONT.split_at(11).0),
-    ("polhode-cli", FRONT.split_at(12).0),
+    ("polhode-web", &WITH_ROBOT),
+    ("polhode-live", &["polhode-source", "polhode-web"]),
+    ("polhode-cli", FRONT.split_at(13).0),
     ("polhode-py", &FRONT),
 ];
 
@@ -27,7 +28,16 @@ const WITH_SHAPE: [&str; 5] =
     ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape"];
 const SLICE: [&str; 6] =
     ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape", "polhode-scenario"];
-const FRONT: [&str; 13] = [
+const WITH_ROBOT: [&str; 7] = [
+    "polhode",
+    "polhode-source",
+    "polhode-document",
+    "polhode-table",
+    "polhode-shape",
+    "polhode-scenario",
+    "polhode-robot",
+];
+const FRONT: [&str; 14] = [
     "polhode",
     "polhode-source",
     "polhode-document",
@@ -39,6 +49,7 @@ const FRONT: [&str; 13] = [
     "polhode-identify",
     "polhode-budget",
     "polhode-sweep",
+    "polhode-web",
     "polhode-live",
     "polhode-cli",
 ];

@@ -5,9 +5,8 @@ use bytes::{Buf as _, Bytes};
 use http_body_util::Full;
 use hyper::header::{CONTENT_TYPE, HeaderValue};
 use hyper::{Response, StatusCode};
+use polhode_web::RefusalKind;
 use serde::Serialize;
-
-use crate::protocol::RefusalBody;
 
 /// A complete answer. Rows of numbers are chained to the bytes before them, without a copy.
 pub(crate) type Answer = Response<Full<Chain<Bytes, Bytes>>>;
@@ -34,6 +33,31 @@ impl Refusal {
         Self::new(StatusCode::NOT_FOUND, "this address does not exist")
             .hint("open the address that polhode live printed")
     }
+}
+
+impl From<polhode_web::Refusal> for Refusal {
+    fn from(refusal: polhode_web::Refusal) -> Self {
+        let polhode_web::Refusal { kind, message, hint } = refusal;
+        let status = match kind {
+            RefusalKind::BadRequest => StatusCode::BAD_REQUEST,
+            RefusalKind::NotFound => StatusCode::NOT_FOUND,
+            RefusalKind::Unprocessable => StatusCode::UNPROCESSABLE_ENTITY,
+            RefusalKind::Full => return Self::new(StatusCode::INSUFFICIENT_STORAGE, message).hint(RESTART),
+            RefusalKind::Ended => StatusCode::REQUEST_TIMEOUT,
+            _ => StatusCode::INTERNAL_SERVER_ERROR,
+        };
+        Self { status, message, hint }
+    }
+}
+
+/// Hint for a session that is full.
+pub(crate) const RESTART: &str = "stop polhode live and start it again";
+
+/// Body of a refusal.
+#[derive(Serialize)]
+struct RefusalBody {
+    message: String,
+    hint: Option<String>,
 }
 
 /// Content security policy: the page may load and request only resources of this server.
@@ -67,23 +91,13 @@ fn parts(status: StatusCode, kind: &'static str, head: Bytes, rows: Bytes) -> An
 }
 
 pub(crate) fn json(value: &impl Serialize) -> Result<Answer, Refusal> {
-    Ok(bytes(StatusCode::OK, "application/json", written(value)?))
+    Ok(bytes(StatusCode::OK, "application/json", polhode_web::json(value)?))
 }
 
-/// Encodes JSON followed by rows of numbers: the length of the JSON as a u64, the JSON padded with
-/// spaces to a multiple of eight bytes, and the rows. Everything is little-endian and aligned, so
-/// that the page reads the numbers in place.
+/// Encodes JSON followed by rows of numbers, as [`polhode_web::json_before_rows`] describes.
 pub(crate) fn json_and_rows(value: &impl Serialize, rows: Bytes) -> Result<Answer, Refusal> {
-    const WORD: usize = size_of::<u64>();
-    let mut json = written(value)?;
-    json.resize(json.len().next_multiple_of(WORD), b' ');
-    let head = [&(json.len() as u64).to_le_bytes(), json.as_slice()].concat();
+    let head = polhode_web::json_before_rows(value)?;
     Ok(parts(StatusCode::OK, "application/octet-stream", head.into(), rows))
-}
-
-fn written(value: &impl Serialize) -> Result<Vec<u8>, Refusal> {
-    serde_json::to_vec(value)
-        .map_err(|error| Refusal::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))
 }
 
 pub(crate) fn refusal(Refusal { status, message, hint }: Refusal) -> Answer {

@@ -7,7 +7,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use hyper::StatusCode;
 
-use crate::answer::Refusal;
+use crate::answer::{RESTART, Refusal};
 use crate::limits;
 
 /// Folder of a session's dropped files. It is made for the first file and has a subfolder for each
@@ -126,7 +126,7 @@ impl Drop for Incoming<'_> {
 fn full() -> Refusal {
     let rule =
         format!("a session keeps at most {} files and {} MiB", limits::FILE_COUNT, limits::FILES >> 20);
-    Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule).hint("stop polhode live and start it again")
+    Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule).hint(RESTART)
 }
 
 fn unkept(name: &str, error: &io::Error) -> Refusal {

@@ -5,7 +5,7 @@ use std::fmt;
 use std::io;
 use std::net::SocketAddr;
 
-use crate::lesson::LessonError;
+use polhode_web::LessonError;
 
 /// Error of the server of the page.
 #[derive(Debug)]

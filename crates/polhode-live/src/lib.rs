@@ -2,8 +2,9 @@
 //! only.
 //!
 //! The text of the scenario is the only state. Each change on the page, such as a knob or a throw,
-//! is an edit of the text. The answer contains the new text, the motion, and the knobs. The server
-//! keeps the files that were opened or dropped, but no motions.
+//! is an edit of the text. The answer contains the new text, the motion, and the knobs:
+//! [`polhode_web::Engine`] computes it. The server keeps the files that were opened or dropped, but
+//! no motions.
 //!
 //! **Access.** The server listens only on the loopback address. Every path begins with a token of
 //! 128 random bits. A request with a foreign `Host` or `Origin` is refused, to prevent DNS
@@ -24,31 +25,16 @@
 mod answer;
 mod asset;
 mod connections;
-mod documents;
 mod dropped;
-mod edit;
 mod error;
 mod guard;
-mod inspect;
-mod kind;
-mod knob;
-mod lesson;
 mod limits;
-mod mesh;
-mod motion;
-mod opened;
-mod part_names;
-mod protocol;
 mod route;
-mod rows;
 mod server;
 mod session;
 mod turns;
-mod utf16;
 mod watch;
 
 pub use error::LiveError;
-pub use knob::knobs;
-pub use lesson::{LessonError, lessons};
-pub use protocol::{Knob, LessonInfo};
+pub use polhode_web::{LessonError, LessonInfo, lessons};
 pub use server::{Live, LiveOptions};

@@ -1,6 +1,8 @@
-//! Limits of a request, a session and a computation.
+//! Limits of a request and of its computation; those of the engine are in `polhode_web::limits`.
 
 use std::time::Duration;
+
+pub(crate) use polhode_web::limits::{INSPECTION, MOTION};
 
 /// Maximum size of a JSON request (a scenario and its edits), bytes.
 pub(crate) const JSON: usize = 4 << 20;
@@ -11,14 +13,8 @@ pub(crate) const FILE: usize = 256 << 20;
 /// Maximum size of all files dropped in a session, bytes.
 pub(crate) const FILES: usize = 1 << 30;
 
-/// Maximum number of documents in a session. Each keeps the files that it has read.
-pub(crate) const DOCUMENTS: usize = 100;
-
 /// Maximum number of files dropped in a session.
 pub(crate) const FILE_COUNT: usize = 4_000;
-
-/// Maximum number of edits in a request.
-pub(crate) const EDITS: usize = 64;
 
 /// Maximum number of simultaneous connections. A browser opens at most six for a tab.
 pub(crate) const CONNECTIONS: usize = 64;
@@ -46,16 +42,6 @@ pub(crate) const HEADERS: Duration = Duration::from_secs(10);
 /// Time limit for the body of a request.
 pub(crate) const BODY: Duration = Duration::from_secs(60);
 
-/// Time limit for a motion. Longer computations need `polhode simulate`.
-pub(crate) const MOTION: Duration = Duration::from_secs(20);
-
 /// Time limit for an answer. A computation that cannot be stopped continues, but its result is
 /// dropped.
 pub(crate) const ANSWER: Duration = Duration::from_secs(40);
-
-/// Time limit for the inspection of a mesh, or of all meshes of a robot. Unfinished checks are
-/// reported as undecided.
-pub(crate) const INSPECTION: Duration = Duration::from_secs(20);
-
-/// Maximum number of samples of a motion that the page shows.
-pub(crate) const SAMPLES: usize = 2_001;

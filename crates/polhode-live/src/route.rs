@@ -2,22 +2,19 @@
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use bytes::Bytes;
-use polhode_source::json_value;
-use serde::de::DeserializeOwned;
+use hyper::{Method, StatusCode};
+use polhode_source::files::Disk;
+use polhode_web::{DocumentContent, DroppedSet, MeshInspection, RefusalKind, Watch as _, read_request};
+use serde::Deserialize;
 
 use crate::answer::{Answer, Refusal, bytes, json, json_and_rows};
 use crate::asset::asset;
-use crate::documents::Content;
-use crate::inspect::{Inspection, MeshInspection, RobotInspection};
-use crate::protocol::{
-    Choice, CompleteAnswer, CompleteRequest, Documents, MotionAnswer, MotionRequest, OpenRequest,
-};
+use crate::limits;
 use crate::session::Session;
-use crate::{limits, motion, utf16, watch};
-use hyper::{Method, StatusCode};
+use crate::watch::{Within, is_wanted};
 
 /// Route of a request, known before its body has arrived.
 #[derive(Debug)]
@@ -106,10 +103,8 @@ impl Route {
             Self::Asset(..) | Self::Documents | Self::Lessons | Self::Drop { .. } => Cost::Nothing,
             Self::Complete | Self::Lesson(_) => Cost::Light,
             Self::Motion => Cost::Unknown,
-            Self::Document(id) => match session.documents.get(*id) {
-                Ok(document) if !matches!(document.content, Content::Scenario { .. }) => Cost::Heavy,
-                _ => Cost::Light,
-            },
+            Self::Document(id) if session.engine.is_inspected(*id) => Cost::Heavy,
+            Self::Document(_) => Cost::Light,
             Self::Mesh(_) | Self::Open => Cost::Heavy,
         }
     }
@@ -123,16 +118,24 @@ impl Route {
         session: &Arc<Session>,
         stop: &AtomicBool,
     ) -> Result<Option<Answer>, Refusal> {
-        watch::is_wanted(stop)?;
+        is_wanted(stop)?;
         let Self::Motion = self else { return self.answer(body, session, stop).map(Some) };
-        let request: MotionRequest = read(body)?;
-        let document = session.documents.get(request.document)?;
-        let answer = motion::answer(document.draft()?, &request, most, stop)?;
-        let with_rows = |answer: MotionAnswer| {
-            let rows = answer.motion.as_ref().map_or_else(Bytes::new, |motion| motion.rows.clone());
-            json_and_rows(&answer, rows)
+        let request = read_request(body)?;
+        let begun = Instant::now();
+        let within = Within::new(most, stop);
+        let is_first_try = most < limits::MOTION;
+        // Nothing is kept of a first try that takes too long.
+        let answer = match is_first_try {
+            true => session.engine.motion(&request, &Disk, &|| within.goes_on()),
+            false => session.engine.motion(&request, &Disk, &within),
         };
-        answer.map(with_rows).transpose()
+        let mut answer = match answer {
+            Err(refusal) if refusal.kind == RefusalKind::Ended && is_first_try => return Ok(None),
+            answer => answer?,
+        };
+        answer.took = begun.elapsed().as_secs_f64() * 1e3;
+        let rows = answer.motion.as_mut().map(|motion| std::mem::take(&mut motion.rows));
+        json_and_rows(&answer, rows.unwrap_or_default().into()).map(Some)
     }
 
     /// Computes the answer; `stop` is set when nobody waits for it.
@@ -142,72 +145,53 @@ impl Route {
         session: &Arc<Session>,
         stop: &AtomicBool,
     ) -> Result<Answer, Refusal> {
-        watch::is_wanted(stop)?;
+        is_wanted(stop)?;
+        let engine = &session.engine;
+        let inspected = Within::new(limits::INSPECTION, stop);
         match self {
             Self::Asset(kind, body) => Ok(bytes(StatusCode::OK, kind, *body)),
-            Self::Documents => {
-                let documents: Vec<_> = session.documents.all().iter().map(|one| one.info()).collect();
-                json(&Documents { first: documents.first().map(|one| one.id), documents })
-            }
-            Self::Document(id) => {
-                let document = session.documents.get(*id)?;
-                match document.content {
-                    Content::Scenario { .. } => {
-                        json(&serde_json::json!({ "kind": "scenario", "text": document.text()? }))
-                    }
-                    Content::Mesh(_) => inspection(&*document.looked_at(stop)?),
-                    Content::Robot => {
-                        let (name, path, roots) = (&document.name, &document.path, document.roots.clone());
-                        json(&Inspection::Robot { robot: RobotInspection::of(name, path, roots, stop)? })
-                    }
-                }
-            }
-            Self::Mesh(id) => inspection(&*session.documents.get(*id)?.looked_at(stop)?),
-            Self::Lessons => json(&serde_json::json!({ "lessons": session.lessons.list() })),
-            Self::Lesson(id) => json(&session.lessons.open(id, &session.documents)?),
+            Self::Documents => json(&engine.documents(&Disk)),
+            Self::Document(id) => content(engine.document(*id, &Disk, &inspected)?),
+            Self::Mesh(id) => content(DocumentContent::Mesh { mesh: engine.mesh(*id, &Disk, &inspected)? }),
+            Self::Lessons => json(&serde_json::json!({ "lessons": engine.lessons(&Disk) })),
+            Self::Lesson(id) => json(&engine.lesson(id, &Disk, &Within::new(limits::MOTION, stop))?),
             Self::Motion => {
                 let answer = self.answer_within(limits::MOTION, body, session, stop)?;
                 answer.ok_or_else(Refusal::not_found)
             }
-            Self::Complete => {
-                let request: CompleteRequest = read(body)?;
-                let document = session.documents.get(request.document)?;
-                json(&complete(
-                    &request,
-                    &document.draft()?.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone(),
-                ))
-            }
+            Self::Complete => json(&engine.complete(&read_request(body)?)?),
             // The body has been saved while it arrived.
             Self::Drop { .. } => json(&serde_json::json!({})),
             Self::Open => {
-                let OpenRequest { set, name } = read(body)?;
+                let OpenRequest { set, name } = read_request(body)?;
                 let path = session.dropped.path(set, &name)?;
-                let files = (session.dropped.set(set), session.dropped.files(set));
-                json(&session.documents.open(&path, Some(files), stop)?.info())
+                let set = DroppedSet { folder: session.dropped.set(set), files: session.dropped.files(set) };
+                json(&engine.open(&path, Some(&set), &Disk, &inspected)?)
             }
         }
     }
 }
 
-fn inspection(mesh: &MeshInspection) -> Result<Answer, Refusal> {
-    json_and_rows(&Inspection::Mesh { mesh }, mesh.rows.clone())
+/// Request to open a dropped file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct OpenRequest {
+    set: u64,
+    name: String,
 }
 
-fn complete(request: &CompleteRequest, draft: &polhode_scenario::read::Draft) -> CompleteAnswer {
-    let text = &request.text;
-    let found = draft.complete(text, utf16::to_byte(text, request.at));
-    let place =
-        found.as_ref().map(|found| [found.place.start, found.place.end].map(|at| utf16::of_byte(text, at)));
-    let [from, to] = place.unwrap_or([request.at; 2]);
-    let options = found.into_iter().flat_map(|found| found.suggested);
-    let options = options.map(|one| Choice { label: one.text, detail: one.detail }).collect();
-    CompleteAnswer { from, to, options }
-}
-
-fn read<T: DeserializeOwned>(body: &[u8]) -> Result<T, Refusal> {
-    json_value(body)
-        .and_then(serde_json::from_value)
-        .map_err(|error| Refusal::new(StatusCode::BAD_REQUEST, format!("the request is invalid: {error}")))
+/// Answers with the contents of a document. Rows of a mesh are not copied.
+fn content(content: DocumentContent) -> Result<Answer, Refusal> {
+    struct RowsOf(Arc<MeshInspection>);
+    impl AsRef<[u8]> for RowsOf {
+        fn as_ref(&self) -> &[u8] {
+            self.0.rows()
+        }
+    }
+    match &content {
+        DocumentContent::Mesh { mesh } => json_and_rows(&content, Bytes::from_owner(RowsOf(mesh.clone()))),
+        _ => json(&content),
+    }
 }
 
 /// Decodes a percent-encoded part of a query.

@@ -15,6 +15,8 @@ use hyper::server::conn::http1;
 use hyper::service::service_fn;
 use hyper::{Method, Request, StatusCode};
 use hyper_util::rt::{TokioIo, TokioTimer};
+use polhode_source::files::Disk;
+use polhode_web::Engine;
 use tokio::net::TcpListener;
 use tokio::sync::mpsc;
 use tokio::task::JoinError;
@@ -23,15 +25,14 @@ use tokio::time::timeout;
 
 use crate::answer::{Answer, Refusal, refusal};
 use crate::connections::{Connections, Place};
-use crate::documents::Documents;
 use crate::dropped::Dropped;
 use crate::error::LiveError;
 use crate::guard::Guard;
-use crate::lesson::{self, Lessons};
 use crate::limits;
 use crate::route::{Cost, Route};
 use crate::session::Session;
 use crate::turns::{Turn, Turns};
+use crate::watch::Within;
 
 /// Options of the server: files and address.
 #[derive(Clone, Debug, Default)]
@@ -59,16 +60,7 @@ impl Live {
     /// [`LiveError`] if a file cannot be opened, or the address cannot be listened on.
     pub fn bind(options: &LiveOptions) -> Result<Self, LiveError> {
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port));
-        let documents = Documents::default();
-        let refused = |Refusal { message, hint, .. }| LiveError::File { message, hint };
-        let lessons = Lessons::beginning_with(options.lesson.as_deref()).map_err(LiveError::Lesson)?;
-        match &lessons.first {
-            Some(id) => lessons.open(id, &documents).map(|_| ()).map_err(|error| match error {
-                lesson::Error::Wrong(error) => LiveError::Lesson(error),
-                unknown @ lesson::Error::Unknown => refused(unknown.into()),
-            })?,
-            None => documents.open_first(&options.files).map_err(refused)?,
-        }
+        let engine = engine(options)?;
         let listen = || {
             let listener = std::net::TcpListener::bind(address)?;
             listener.set_nonblocking(true)?;
@@ -78,14 +70,14 @@ impl Live {
         let (listener, port) = listen().map_err(|error| LiveError::Address { address, error })?;
         let guard = Guard::new(port).ok_or(LiveError::Random)?;
         let dropped = Dropped::new().map_err(|error| LiveError::Folder { error })?;
-        let session = Session { guard, documents, lessons, dropped, turns: Turns::new() };
+        let session = Session { guard, engine, dropped, turns: Turns::new() };
         Ok(Self { listener, session: Arc::new(session) })
     }
 
     /// Returns the address of the page, with its token. Anyone who has the address is admitted.
     pub fn address(&self) -> String {
         let address = self.session.guard.address();
-        match &self.session.lessons.first {
+        match self.session.engine.first_lesson() {
             Some(id) => format!("{address}#lesson={}", encoded(id)),
             None => address,
         }
@@ -136,6 +128,26 @@ impl Live {
         runtime.shutdown_background();
         served.map_err(|error| LiveError::Start { error })
     }
+}
+
+/// Opens the lesson or the files, or a default scenario.
+fn engine(options: &LiveOptions) -> Result<Engine, LiveError> {
+    let stop = AtomicBool::new(false);
+    if let Some(name) = &options.lesson {
+        let watch = Within::new(limits::MOTION, &stop);
+        return Engine::beginning_with_lesson(name, &Disk, &watch).map_err(LiveError::Lesson);
+    }
+    let engine = Engine::default();
+    if options.files.is_empty() {
+        engine.open_example(&Disk);
+    }
+    for file in &options.files {
+        let opened = engine.open(file, None, &Disk, &Within::new(limits::INSPECTION, &stop));
+        opened
+            .map_err(Refusal::from)
+            .map_err(|Refusal { message, hint, .. }| LiveError::File { message, hint })?;
+    }
+    Ok(engine)
 }
 
 /// Percent-encodes a text as a part of an address.

@@ -1,16 +1,44 @@
-//! Conditions for the continuation of a computation.
+//! Time limits of computations that end early if nobody waits.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use hyper::StatusCode;
+use polhode_web::Watch;
 
 use crate::answer::Refusal;
 
-/// Returns a function that is true until `stop` is set, or until the time `most` has elapsed.
-pub(crate) fn within(most: Duration, stop: &AtomicBool) -> impl Fn() -> bool + Sync {
-    let begun = Instant::now();
-    move || !stop.load(Ordering::Relaxed) && begun.elapsed() < most
+/// Time limit of a computation that ends early if nobody waits.
+#[derive(Debug)]
+pub(crate) struct Within<'a> {
+    origin: Instant,
+    /// Time from `origin` to the last restart, ns.
+    begun: AtomicU64,
+    most: Duration,
+    /// Set when nobody waits.
+    stop: &'a AtomicBool,
+}
+
+impl<'a> Within<'a> {
+    pub(crate) fn new(most: Duration, stop: &'a AtomicBool) -> Self {
+        Self { origin: Instant::now(), begun: AtomicU64::new(0), most, stop }
+    }
+}
+
+impl Watch for Within<'_> {
+    fn goes_on(&self) -> bool {
+        let begun = Duration::from_nanos(self.begun.load(Ordering::Relaxed));
+        self.is_wanted() && self.origin.elapsed().saturating_sub(begun) < self.most
+    }
+
+    fn is_wanted(&self) -> bool {
+        !self.stop.load(Ordering::Relaxed)
+    }
+
+    fn restart(&self) {
+        let now = u64::try_from(self.origin.elapsed().as_nanos()).unwrap_or(u64::MAX);
+        self.begun.store(now, Ordering::Relaxed);
+    }
 }
 
 /// Refuses an answer that nobody waits for.

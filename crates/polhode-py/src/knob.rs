@@ -17,6 +17,6 @@ pub(crate) fn scenario_knobs(py: Python<'_>, path: PathBuf, text: String) -> PyR
         let mut draft = Draft::trusting(&path, &text);
         draft.read(&Disk, text).map(|_| draft)
     });
-    let knobs = polhode_live::knobs(&draft.map_err(Raise::raise)?.numbers());
+    let knobs = polhode_web::knobs(&draft.map_err(Raise::raise)?.numbers());
     serde_json::to_string(&knobs).map_err(|error| refused(&error, None))
 }

@@ -7,7 +7,6 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use bytes::Bytes;
 use polhode::body::mesh::{
     ClosedMesh, ComponentRole, EdgePlace, MeshDiagnosis, MeshFlaws, MeshPlaces, PairPlace, Triangle,
     TriangleMesh, TrianglePlace,
@@ -29,8 +28,9 @@ const SHOWN: usize = 300_000;
 /// Maximum number of findings listed.
 const LISTED: usize = 200;
 
+/// Inspection of a mesh: `MeshInspection` of `viewer/src/live/protocol.ts`.
 #[derive(Debug, Serialize)]
-pub(crate) struct MeshInspection {
+pub struct MeshInspection {
     name: String,
     /// Coordinates as f32, m.
     vertices: Row,
@@ -41,7 +41,7 @@ pub(crate) struct MeshInspection {
     findings: Vec<MeshFinding>,
     /// Numbers of all rows.
     #[serde(skip)]
-    pub(crate) rows: Bytes,
+    rows: Vec<u8>,
 }
 
 #[derive(Debug, Serialize)]
@@ -58,6 +58,11 @@ struct MeshFinding {
 }
 
 impl MeshInspection {
+    /// Returns the rows of numbers that follow the JSON, little-endian f32 and u32.
+    pub fn rows(&self) -> &[u8] {
+        &self.rows
+    }
+
     /// Inspects the contents of a file as one part, with its flaws; `unit` is in metres.
     pub(crate) fn of(
         name: &str,

@@ -5,7 +5,6 @@
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 
 use polhode::body::PrincipalFrame;
 use polhode_robot::body::{LinkMass, link_mass};
@@ -18,16 +17,16 @@ use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
 use polhode_scenario::report::display::equivalent_box;
 use polhode_source::FormatError;
+use polhode_source::files::Files;
 use serde::Serialize;
 use serde_json::Value;
 
 use super::links::{LinkShapes, NotShown};
-use crate::answer::Refusal;
-use crate::{limits, watch};
-use hyper::StatusCode;
+use crate::refusal::{Refusal, RefusalKind};
 
+/// Inspection of a robot: `RobotInspection` of `viewer/src/live/protocol.ts`.
 #[derive(Debug, Serialize)]
-pub(crate) struct RobotInspection {
+pub struct RobotInspection {
     name: String,
     links: Vec<RobotLink>,
     findings: Vec<RobotFinding>,
@@ -88,26 +87,26 @@ struct Change {
 
 impl RobotInspection {
     /// Inspects a file, which may open others in its own folder and in `roots`. `name` is for
-    /// messages, and `stop` ends the inspection.
+    /// messages.
     pub(crate) fn of(
         name: &str,
         path: &Path,
         roots: Vec<PathBuf>,
-        stop: &AtomicBool,
+        files: &dyn Files,
+        goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, Refusal> {
-        let options = ReadOptions { confined: !roots.is_empty(), roots, ..ReadOptions::default() };
+        let options = ReadOptions { files, confined: !roots.is_empty(), roots, ..ReadOptions::default() };
         let unreadable = |error: FormatError| {
             let place = error.place().map_or_else(String::new, |place| format!(", line {}", place.line));
             let message = format!("{name:?} cannot be read{place}: {}", error.message());
-            let refusal = Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, message);
+            let refusal = Refusal::new(RefusalKind::Unprocessable, message);
             match error.hint() {
                 Some(hint) => refusal.hint(hint),
                 None => refusal,
             }
         };
         let model = read_model(path, &options).map_err(unreadable)?;
-        let goes_on = watch::within(limits::INSPECTION, stop);
-        let shapes = Shapes::watched(&goes_on);
+        let shapes = Shapes::watched(goes_on).from_files(files);
         let found = inspect(&model, &shapes).findings;
         let stands = Stands::of(&model);
         let numbers = numbers(&model);

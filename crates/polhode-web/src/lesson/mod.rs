@@ -2,7 +2,7 @@
 //! with its knobs.
 //!
 //! A lesson is a small TOML file. Those in `lessons/` are part of the program. A teacher's own
-//! lesson is read from the disk each time the page requests it. [`check`] refuses a lesson that the
+//! lesson is read each time the page requests it. [`check`] refuses a lesson that the
 //! page could not show.
 
 mod check;
@@ -10,15 +10,16 @@ mod error;
 mod file;
 mod included;
 
-use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use hyper::StatusCode;
+use polhode_source::files::Files;
 
-use crate::answer::Refusal;
 use crate::documents::{Document, Documents};
 use crate::protocol::{Lesson, LessonInfo, LessonStep};
+use crate::refusal::{Refusal, RefusalKind};
+use crate::watch::Watch;
 use check::Checked;
 pub use error::LessonError;
 use file::File;
@@ -47,18 +48,13 @@ pub(crate) struct Lessons {
 impl Lessons {
     /// Makes the lessons of a session that begins with a lesson: the id of one of the program's, or
     /// a file.
-    pub(crate) fn beginning_with(name: Option<&str>) -> Result<Self, LessonError> {
-        let Some(name) = name else { return Ok(Self::default()) };
+    pub(crate) fn beginning_with(name: &str) -> Result<Self, LessonError> {
         let path = PathBuf::from(name);
         if text_of(name).is_some() {
             return Ok(Self { first: Some(name.to_owned()), ..Self::default() });
         }
         if path.extension().is_none_or(|ending| ending != "toml") {
-            let ids: Vec<_> = INCLUDED.iter().map(|(id, _)| *id).collect();
-            return Err(LessonError::whole(&path, "unknown lesson").hint(format!(
-                "known lessons: {}; or give a file of your own with the extension .toml",
-                ids.join(", ")
-            )));
+            return Err(unknown(&path));
         }
         // Ids of the program's lessons contain no dot.
         let id = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -66,22 +62,28 @@ impl Lessons {
     }
 
     /// Returns all lessons, the teacher's own first.
-    pub(crate) fn list(&self) -> Vec<LessonInfo> {
+    pub(crate) fn list(&self, files: &dyn Files) -> Vec<LessonInfo> {
         let own = self.own.iter().filter_map(|path| {
-            let text = fs::read_to_string(path).ok()?;
+            let text = read(files, path).ok()?;
             info(self.first.as_deref()?, path, &text).ok()
         });
         own.chain(lessons()).collect()
     }
 
     /// Opens a lesson by its id. Its scenario becomes a document.
-    pub(crate) fn open(&self, id: &str, documents: &Documents) -> Result<Lesson, Error> {
+    pub(crate) fn open(
+        &self,
+        id: &str,
+        documents: &Documents,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<Lesson, Error> {
         let checked = match (text_of(id), &self.own) {
-            (Some(text), _) => Checked::read(Path::new(&format!("{id}.toml")), text, false)?,
+            (Some(text), _) => Checked::read(Path::new(&format!("{id}.toml")), text, false, files, watch)?,
             (None, Some(path)) if self.first.as_deref() == Some(id) => {
-                let text = fs::read_to_string(path)
+                let text = read(files, path)
                     .map_err(|error| LessonError::whole(path, format!("cannot be read: {error}")))?;
-                Checked::read(path, &text, true)?
+                Checked::read(path, &text, true, files, watch)?
             }
             _ => return Err(Error::Unknown),
         };
@@ -95,6 +97,19 @@ impl Lessons {
         });
         Ok(Lesson { info: LessonInfo { id: id.to_owned(), title, summary }, document, steps })
     }
+}
+
+/// Makes an error that lists the known lessons.
+pub(crate) fn unknown(path: &Path) -> LessonError {
+    let ids: Vec<_> = INCLUDED.iter().map(|(id, _)| *id).collect();
+    LessonError::whole(path, "unknown lesson").hint(format!(
+        "known lessons: {}; or give a file of your own with the extension .toml",
+        ids.join(", ")
+    ))
+}
+
+fn read(files: &dyn Files, path: &Path) -> io::Result<String> {
+    files.open(path).and_then(io::read_to_string)
 }
 
 fn text_of(id: &str) -> Option<&'static str> {
@@ -119,11 +134,10 @@ impl From<LessonError> for Error {
 impl From<Error> for Refusal {
     fn from(error: Error) -> Self {
         match error {
-            Error::Unknown => Self::new(StatusCode::NOT_FOUND, "unknown lesson"),
-            Error::Wrong(error) => Self {
-                hint: error.hint.clone(),
-                ..Self::new(StatusCode::UNPROCESSABLE_ENTITY, error.to_string())
-            },
+            Error::Unknown => Self::new(RefusalKind::NotFound, "unknown lesson"),
+            Error::Wrong(error) => {
+                Self { hint: error.hint.clone(), ..Self::new(RefusalKind::Unprocessable, error.to_string()) }
+            }
         }
     }
 }

@@ -1,25 +1,23 @@
 //! Validation of lessons: the scenario must move at every step, and must have everything that the
 //! steps name.
 
-use std::fs;
+use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
-use std::time::Instant;
 
 use polhode_scenario::read::Draft;
 use polhode_scenario::report::explain_motion;
 use polhode_source::FormatError;
-use polhode_source::files::Disk;
+use polhode_source::files::Files;
 use toml::Spanned;
 
 use super::LessonStep;
 use super::error::LessonError;
 use super::file::{File, Question, Step};
 use crate::edit::edited;
-use crate::limits;
 use crate::motion::computed;
 use crate::protocol::{self, Edit};
+use crate::watch::Watch;
 
 /// A lesson that can be shown.
 #[derive(Debug)]
@@ -33,11 +31,13 @@ pub(super) struct Checked {
     pub(super) steps: Vec<LessonStep>,
 }
 
-/// Text and path of a lesson, for error messages.
+/// Text and path of a lesson, for error messages, and the conditions under which it is read.
 #[derive(Clone, Copy)]
 struct Source<'a> {
     path: &'a Path,
     text: &'a str,
+    files: &'a dyn Files,
+    watch: &'a dyn Watch,
 }
 
 /// A scenario and its place.
@@ -57,10 +57,16 @@ struct Named {
 }
 
 impl Checked {
-    /// Reads a lesson. `is_file` is true for a file on the disk, which may refer to files in its
+    /// Reads a lesson. `is_file` is true for a file of its own, which may refer to files in its
     /// folder.
-    pub(super) fn read(path: &Path, text: &str, is_file: bool) -> Result<Self, LessonError> {
-        let source = Source { path, text };
+    pub(super) fn read(
+        path: &Path,
+        text: &str,
+        is_file: bool,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<Self, LessonError> {
+        let source = Source { path, text, files, watch };
         let file = File::read(path, text)?;
         for said in [&file.title, &file.summary] {
             source.said(said)?;
@@ -70,7 +76,8 @@ impl Checked {
             true => Draft::trusting(&scenario.path, &scenario.text),
             false => Draft::new(&scenario.path, []),
         };
-        let own = moving(&draft, &scenario.text).map_err(|error| source.of_scenario(&scenario, &error))?;
+        let own =
+            source.moving(&draft, &scenario.text).map_err(|error| source.of_scenario(&scenario, &error))?;
         if file.steps.is_empty() {
             return Err(LessonError::whole(path, "a lesson has at least one [[step]]"));
         }
@@ -99,7 +106,7 @@ impl Source<'_> {
         match (&file.scenario, &file.scenario_text) {
             (Some(name), None) => {
                 let path = self.path.parent().unwrap_or(Path::new("")).join(name.as_ref());
-                let text = fs::read_to_string(&path).map_err(|error| {
+                let text = self.files.open(&path).and_then(io::read_to_string).map_err(|error| {
                     self.at(&name.span(), format!("{:?} cannot be read: {error}", path.display().to_string()))
                         .hint("write the path of a scenario file relative to the lesson's folder")
                 })?;
@@ -153,7 +160,7 @@ impl Source<'_> {
             let raw = self.text.get(set.as_ref().value.span()).unwrap_or_default();
             let edit = Edit::Set { set: set.as_ref().key.clone(), value: Some(raw.to_owned()) };
             let mut reader = draft.clone();
-            text = edited(&text, &[edit], |text| reader.read(&Disk, text.to_owned()).ok()).map_err(|error| {
+            text = edited(&text, &[edit], |text| reader.read(self.files, text.to_owned()).ok()).map_err(|error| {
                 self.at(&set.span(), format!("the value cannot be set: {error}"))
                     .hint("key = \"body.part[0].size[2]\", value = \"4 mm\": write the value as in a scenario, on one line")
             })?;
@@ -162,7 +169,7 @@ impl Source<'_> {
         let named = match written.set.last() {
             None => own,
             Some(last) => {
-                changed = moving(draft, &text).map_err(|Unmoved { message, hint, .. }| LessonError {
+                changed = self.moving(draft, &text).map_err(|Unmoved { message, hint, .. }| LessonError {
                     hint,
                     ..self.at(&last.span(), format!("the scenario with the values of this step: {message}"))
                 })?;
@@ -214,6 +221,37 @@ impl Source<'_> {
             why: self.said(&question.why)?,
         })
     }
+
+    /// Computes a motion, and lists the names to which steps may refer.
+    fn moving(&self, draft: &Draft, text: &str) -> Result<Named, Unmoved> {
+        let mut draft = draft.clone();
+        let unread = |error: FormatError| {
+            let own = error.path() == draft.path();
+            Unmoved {
+                message: if own { error.message() } else { error.to_string() },
+                hint: error.hint(),
+                place: error.place().filter(|_| own).map(|place| place.span.clone()),
+            }
+        };
+        let mut reader = draft.clone();
+        let file = reader.read(self.files, text.to_owned()).map_err(unread)?;
+        draft = reader;
+        self.watch.restart();
+        let trajectory = computed(&file, false, self.watch).map_err(|error| Unmoved {
+            message: error.message,
+            hint: error.hint,
+            place: None,
+        })?;
+        let solution = explain_motion(&file.scenario, &trajectory).map_err(|error| Unmoved {
+            message: error.to_string(),
+            hint: None,
+            place: None,
+        })?;
+        let headings =
+            solution.sections.iter().map(|section| format!("{}. {}", section.number, section.title));
+        let knobs = draft.numbers().into_iter().map(|number| number.key);
+        Ok(Named { knobs: knobs.collect(), headings: headings.collect() })
+    }
 }
 
 /// Reason why a scenario has no motion; the place is in its text.
@@ -221,32 +259,4 @@ struct Unmoved {
     message: String,
     hint: Option<String>,
     place: Option<Range<usize>>,
-}
-
-/// Computes a motion, and lists the names to which steps may refer.
-fn moving(draft: &Draft, text: &str) -> Result<Named, Unmoved> {
-    let mut draft = draft.clone();
-    let unread = |error: FormatError| {
-        let own = error.path() == draft.path();
-        Unmoved {
-            message: if own { error.message() } else { error.to_string() },
-            hint: error.hint(),
-            place: error.place().filter(|_| own).map(|place| place.span.clone()),
-        }
-    };
-    let mut reader = draft.clone();
-    let file = reader.read(&Disk, text.to_owned()).map_err(unread)?;
-    draft = reader;
-    let stop = AtomicBool::new(false);
-    let trajectory = computed(&file, false, Instant::now(), limits::MOTION, &stop);
-    let trajectory =
-        trajectory.map_err(|error| Unmoved { message: error.message, hint: error.hint, place: None })?;
-    let solution = explain_motion(&file.scenario, &trajectory).map_err(|error| Unmoved {
-        message: error.to_string(),
-        hint: None,
-        place: None,
-    })?;
-    let headings = solution.sections.iter().map(|section| format!("{}. {}", section.number, section.title));
-    let knobs = draft.numbers().into_iter().map(|number| number.key);
-    Ok(Named { knobs: knobs.collect(), headings: headings.collect() })
 }

@@ -1,45 +1,39 @@
 //! Changes of the text, and computation of the new motion.
 
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
-use std::time::{Duration, Instant};
 
 use polhode::body::{Finding, Severity};
 use polhode::motion::{ErrorEffort, MotionError, Run, Scenario, Trajectory};
 use polhode_document::VERSION;
 use polhode_scenario::read::{Draft, ScenarioFile};
 use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page_rows};
-use polhode_source::files::Disk;
+use polhode_source::files::Files;
 use polhode_source::{FormatError, Place};
 
-use crate::answer::Refusal;
 use crate::edit::edited;
 use crate::knob::{knobs, switches};
 use crate::protocol::{Motion, MotionAnswer, MotionRequest, TextError};
-use crate::{limits, utf16, watch};
-use hyper::StatusCode;
+use crate::refusal::{Refusal, RefusalKind};
+use crate::watch::{Watch, require_wanted};
+use crate::{limits, utf16};
 
-/// Applies the requested changes and computes the motion; `stop` ends the computation.
-///
-/// Returns `None` if it takes longer than `most`, unless that is [`limits::MOTION`], which the
-/// answer then reports.
+/// Applies the requested changes and computes the motion.
 pub(crate) fn answer(
     draft: &Mutex<Draft>,
     request: &MotionRequest,
-    most: Duration,
-    stop: &AtomicBool,
-) -> Result<Option<MotionAnswer>, Refusal> {
-    let begun = Instant::now();
+    files: &dyn Files,
+    watch: &dyn Watch,
+) -> Result<MotionAnswer, Refusal> {
     if request.edits.len() > limits::EDITS {
         let rule = format!("a request has at most {} edits", limits::EDITS);
-        return Err(Refusal::new(StatusCode::BAD_REQUEST, rule));
+        return Err(Refusal::new(RefusalKind::BadRequest, rule));
     }
     // A copy, because another tab may read another text meanwhile. Contents of files are shared.
     let mut own = draft.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let mut edits_on = own.clone();
-    let goes_on = watch::within(most, stop);
+    let goes_on = || watch.goes_on();
     let changed = edited(&request.text, &request.edits, |text| {
-        edits_on.read_watched(&Disk, text.to_owned(), &goes_on).ok()
+        edits_on.read_watched(files, text.to_owned(), &goes_on).ok()
     });
     let mut answer = MotionAnswer {
         text: request.text.clone(),
@@ -53,36 +47,33 @@ pub(crate) fn answer(
         Ok(text) => answer.text = text,
         Err(error) => answer.errors.push(TextError { message: error.to_string(), ..TextError::default() }),
     }
-    match own.read_watched(&Disk, answer.text.clone(), &goes_on) {
+    match own.read_watched(files, answer.text.clone(), &goes_on) {
         Ok(file) => {
             answer.switches = switches(&file.scenario, &answer.text);
-            match computed(&file, request.error, begun, most, stop) {
+            match computed(&file, request.error, watch) {
                 Ok(trajectory) => answer.motion = Some(motion(&file, &trajectory, &own, request)),
                 Err(error) => answer.errors.push(error),
             }
         }
         Err(error) => answer.errors.push(of_format(&error, &own, &answer.text)),
     }
-    if answer.motion.is_none() && most < limits::MOTION && begun.elapsed() >= most {
-        return Ok(None);
+    if answer.motion.is_none() {
+        require_wanted(watch)?;
     }
     answer.knobs = knobs(&own.numbers());
     *draft.lock().unwrap_or_else(PoisonError::into_inner) = own;
-    answer.took = begun.elapsed().as_secs_f64() * 1e3;
-    Ok(Some(answer))
+    Ok(answer)
 }
 
 /// Computes the trajectory, at no more times than the page shows.
 pub(crate) fn computed(
     file: &ScenarioFile,
     with_error: bool,
-    begun: Instant,
-    most: Duration,
-    stop: &AtomicBool,
+    watch: &dyn Watch,
 ) -> Result<Trajectory, TextError> {
     let run = file.scenario.run().map_or_else(without_run, thinned);
     let scenario = file.scenario.clone().sampled(run);
-    let mut goes_on = |_| !stop.load(Ordering::Relaxed) && begun.elapsed() < most;
+    let mut goes_on = |_| watch.goes_on();
     let motion = match with_error {
         true => scenario.simulate_with_error(ErrorEffort::Auto, &mut goes_on),
         false => scenario.simulate_watched(&mut goes_on),
@@ -139,11 +130,11 @@ fn motion(file: &ScenarioFile, trajectory: &Trajectory, draft: &Draft, request: 
     let is_known = |known: &&String| **known == with_free || (**known == body && !input.is_free());
     if let Some(known) = request.body.as_ref().filter(is_known) {
         let (page, rows) = page_rows(&PageInput { whole: false, ..input });
-        return Motion { page, rows: rows.into(), body: known.clone() };
+        return Motion { page, rows, body: known.clone() };
     }
     let (page, rows) = page_rows(&input);
     let body = if page["free"].is_null() { body } else { with_free };
-    Motion { page, rows: rows.into(), body }
+    Motion { page, rows, body }
 }
 
 fn of_motion(file: &ScenarioFile, error: &MotionError) -> TextError {

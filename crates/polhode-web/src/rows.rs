@@ -1,6 +1,5 @@
 //! Rows of numbers that follow the JSON of an answer.
 
-use bytes::Bytes;
 use serde::Serialize;
 
 /// Beginning and length of a row, both counted in numbers of its type.
@@ -24,8 +23,8 @@ impl Rows {
         Row::U32(self.put(numbers.map(u32::to_le_bytes)))
     }
 
-    pub(crate) fn into_bytes(self) -> Bytes {
-        self.0.into()
+    pub(crate) fn into_bytes(self) -> Vec<u8> {
+        self.0
     }
 
     fn put<const N: usize>(&mut self, numbers: impl ExactSizeIterator<Item = [u8; N]>) -> [usize; 2] {

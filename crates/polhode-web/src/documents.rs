@@ -1,24 +1,23 @@
 //! Documents: files that were opened or dropped.
 
-use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::io::{self, Read as _};
 use std::mem;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use polhode_scenario::read::Draft;
 use polhode_shape::brep::BrepFormat;
-use polhode_source::files::Disk;
+use polhode_source::files::{Files, Look};
 
-use crate::answer::Refusal;
-use crate::inspect::MeshInspection;
+use crate::inspect::{DocumentContent, MeshInspection, RobotInspection};
 use crate::kind::Kind;
+use crate::limits;
 use crate::mesh::{self, Mesh};
 use crate::opened::{scenario_of, scenario_of_mesh};
 use crate::protocol::DocumentInfo;
-use crate::{limits, watch};
-use hyper::StatusCode;
+use crate::refusal::{Refusal, RefusalKind};
+use crate::watch::{Watch, require_wanted};
 
 /// Scenario of a session that was started without a file.
 const FIRST: &str = include_str!("../assets/first.toml");
@@ -52,47 +51,51 @@ pub(crate) enum Content {
     Robot,
 }
 
+/// Files that were dropped together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DroppedSet {
+    /// Folder of the set.
+    pub folder: PathBuf,
+    /// Files of the set: a file may refer only to these.
+    pub files: Vec<PathBuf>,
+}
+
 /// All documents of a session.
 #[derive(Debug, Default)]
 pub(crate) struct Documents(Mutex<Vec<Arc<Document>>>);
 
 impl Documents {
-    /// Opens the files that the user named, which may refer to others. Without files, it opens a
-    /// default scenario.
-    pub(crate) fn open_first(&self, files: &[PathBuf]) -> Result<(), Refusal> {
-        if files.is_empty() {
-            let path = Path::new("t-handle.toml");
-            self.put_scenario(path, Draft::new(path, []), FIRST.to_owned());
-        }
-        let stop = AtomicBool::new(false);
-        files.iter().try_for_each(|file| self.open(file, None, &stop).map(|_| ()))
+    /// Opens the default scenario.
+    pub(crate) fn open_example(&self) -> Arc<Document> {
+        let path = Path::new("t-handle.toml");
+        self.put_scenario(path, Draft::new(path, []), FIRST.to_owned())
     }
 
-    /// Opens a file that the user named, or one of a set of dropped files. A dropped file may refer
-    /// only to files of its set. `stop` ends the reading.
+    /// Opens a file that the user named, or one of a set of dropped files.
     pub(crate) fn open(
         &self,
         path: &Path,
-        dropped: Option<(PathBuf, Vec<PathBuf>)>,
-        stop: &AtomicBool,
+        dropped: Option<&DroppedSet>,
+        files: &dyn Files,
+        watch: &dyn Watch,
     ) -> Result<Arc<Document>, Refusal> {
         if self.all().len() >= limits::DOCUMENTS {
             let rule = format!("a session shows at most {} documents", limits::DOCUMENTS);
-            return Err(Refusal::new(StatusCode::INSUFFICIENT_STORAGE, rule)
-                .hint("stop polhode live and start it again"));
+            return Err(Refusal::new(RefusalKind::Full, rule));
         }
+        let goes_on = || watch.goes_on();
         let name = name_of(path);
         let unreadable = |error: String| unreadable(&name, &error);
-        let mut draft = match &dropped {
-            Some((_, files)) => Draft::new(path, files.iter().cloned()),
+        let mut draft = match dropped {
+            Some(set) => Draft::new(path, set.files.iter().cloned()),
             None => Draft::new(path, [path.to_owned()]),
         };
         // Taken before the files are read: a file that is written to meanwhile is read again.
         let own = std::iter::once(path);
-        let [own, all] = [stamp(own.clone()), stamp(own.chain(draft.files()))];
-        let bytes = fs::read(path).map_err(|error| unreadable(error.to_string()))?;
+        let [own, all] = [stamp(files, own.clone()), stamp(files, own.chain(draft.files()))];
+        let bytes = read(files, path).map_err(|error| unreadable(error.to_string()))?;
         let kind = Kind::of(path, &bytes).ok_or_else(|| {
-            if let Some(format) = BrepFormat::of(&Disk, path) {
+            if let Some(format) = BrepFormat::of(files, path) {
                 return unreadable(format.refusal()).hint(format.hint(path));
             }
             unreadable("its file extension is unknown".to_owned()).hint(
@@ -100,7 +103,7 @@ impl Documents {
             )
         })?;
         let made = |text: String, mut draft: Draft| -> Result<Content, Refusal> {
-            let read = draft.read_watched(&Disk, text.clone(), &watch::within(limits::INSPECTION, stop));
+            let read = draft.read_watched(files, text.clone(), &goes_on);
             read.map_err(|error| unreadable(error.to_string()))?;
             let (draft, stamp) = (Mutex::new(draft), Mutex::new(all));
             Ok(Content::Scenario { draft, made: Some(text), stamp, is_mesh: kind == Kind::Mesh })
@@ -120,22 +123,18 @@ impl Documents {
                     is_mesh: false,
                 }
             }
-            Kind::Mesh => {
-                match Mesh::of(&name, path, &bytes, &watch::within(limits::INSPECTION, stop))
-                    .map_err(unreadable)?
-                {
-                    Mesh::Solid(solid, unit) => {
-                        made(scenario_of_mesh(path, unit), draft.knowing(path.to_owned(), unit, *solid))?
-                    }
-                    Mesh::Flawed(found) => Content::Mesh(Mutex::new((own, Arc::new(found)))),
+            Kind::Mesh => match Mesh::of(&name, path, (&bytes, files), &goes_on).map_err(unreadable)? {
+                Mesh::Solid(solid, unit) => {
+                    made(scenario_of_mesh(path, unit), draft.knowing(path.to_owned(), unit, *solid))?
                 }
-            }
+                Mesh::Flawed(found) => Content::Mesh(Mutex::new((own, Arc::new(found)))),
+            },
             Kind::Molecule | Kind::Particles => {
                 made(scenario_of(kind, path, &bytes).map_err(unreadable)?, draft)?
             }
         };
-        watch::is_wanted(stop)?;
-        let roots = dropped.into_iter().map(|(folder, _)| folder).collect();
+        require_wanted(watch)?;
+        let roots = dropped.into_iter().map(|set| set.folder.clone()).collect();
         Ok(self.put(name, path.to_owned(), roots, content))
     }
 
@@ -160,40 +159,64 @@ impl Documents {
 
     pub(crate) fn get(&self, id: u32) -> Result<Arc<Document>, Refusal> {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        usize::try_from(id).ok().and_then(|k| all.get(k)).cloned().ok_or_else(Refusal::not_found)
+        usize::try_from(id).ok().and_then(|k| all.get(k)).cloned().ok_or_else(|| {
+            let message = format!("unknown document {id}");
+            Refusal::new(RefusalKind::NotFound, message)
+        })
     }
 }
 
 impl Document {
-    pub(crate) fn info(&self) -> DocumentInfo {
+    /// Returns true for a mesh or a robot, whose inspection may take long.
+    pub(crate) fn is_inspected(&self) -> bool {
+        !matches!(self.content, Content::Scenario { .. })
+    }
+
+    /// Returns the text of a scenario, or the inspection of a mesh or a robot.
+    pub(crate) fn content(&self, files: &dyn Files, watch: &dyn Watch) -> Result<DocumentContent, Refusal> {
+        match &self.content {
+            Content::Scenario { draft, made, stamp, .. } => {
+                self.text((draft, made.as_ref(), stamp), files).map(|text| DocumentContent::Scenario { text })
+            }
+            Content::Mesh(_) => self.looked_at(files, watch).map(|mesh| DocumentContent::Mesh { mesh }),
+            Content::Robot => {
+                let roots = self.roots.clone();
+                RobotInspection::of(&self.name, &self.path, roots, files, &|| watch.goes_on())
+                    .map(|robot| DocumentContent::Robot { robot })
+            }
+        }
+    }
+
+    pub(crate) fn info(&self, files: &dyn Files) -> DocumentInfo {
         let kind = match self.content {
             Content::Scenario { .. } => "scenario",
             Content::Mesh(_) => "mesh",
             Content::Robot => "robot",
         };
         let is_mesh = matches!(self.content, Content::Mesh(_) | Content::Scenario { is_mesh: true, .. });
-        DocumentInfo { id: self.id, name: self.name.clone(), kind, is_mesh, stamp: self.stamp() }
+        DocumentInfo { id: self.id, name: self.name.clone(), kind, is_mesh, stamp: self.stamp(files) }
     }
 
     /// Returns a stamp that changes when the file, or a file that it names, is written to.
-    fn stamp(&self) -> String {
+    fn stamp(&self, files: &dyn Files) -> String {
         let own = std::iter::once(self.path.as_path());
         match &self.content {
             Content::Scenario { draft, .. } => {
                 let draft = draft.lock().unwrap_or_else(PoisonError::into_inner);
-                stamp(own.chain(draft.files()))
+                stamp(files, own.chain(draft.files()))
             }
-            _ => stamp(own),
+            _ => stamp(files, own),
         }
     }
 
     /// Returns the text of a scenario from its file. If a file was written to, it reads all of them
     /// again.
-    pub(crate) fn text(&self) -> Result<String, Refusal> {
-        let Content::Scenario { draft, made, stamp, .. } = &self.content else {
-            return Err(Refusal::not_found());
-        };
-        let now = self.stamp();
+    fn text(
+        &self,
+        (draft, made, stamp): (&Mutex<Draft>, Option<&String>, &Mutex<String>),
+        files: &dyn Files,
+    ) -> Result<String, Refusal> {
+        let now = self.stamp(files);
         let before = mem::replace(&mut *stamp.lock().unwrap_or_else(PoisonError::into_inner), now.clone());
         let mut draft = draft.lock().unwrap_or_else(PoisonError::into_inner);
         if before != now {
@@ -202,31 +225,38 @@ impl Document {
         if let Some(made) = made {
             return Ok(made.clone());
         }
-        let text =
-            fs::read_to_string(&self.path).map_err(|error| unreadable(&self.name, &error.to_string()))?;
+        let text = files.open(&self.path).and_then(io::read_to_string);
+        let text = text.map_err(|error| unreadable(&self.name, &error.to_string()))?;
         if self.roots.is_empty() && before != now {
             *draft = Draft::trusting(&self.path, &text);
         }
         Ok(text)
     }
 
-    /// Returns the inspection of a mesh, from its file as it is now; `stop` ends the inspection.
-    pub(crate) fn looked_at(&self, stop: &AtomicBool) -> Result<Arc<MeshInspection>, Refusal> {
+    /// Returns the inspection of a mesh, from its file as it is now.
+    pub(crate) fn looked_at(
+        &self,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<Arc<MeshInspection>, Refusal> {
         let found = match &self.content {
             Content::Mesh(found) => Some(found),
             Content::Scenario { is_mesh: true, .. } => None,
-            _ => return Err(Refusal::not_found()),
+            _ => {
+                let message = format!("{:?} is not a mesh", self.name);
+                return Err(Refusal::new(RefusalKind::NotFound, message));
+            }
         };
-        let now = self.stamp();
+        let now = self.stamp(files);
         let known = found.map(|found| found.lock().unwrap_or_else(PoisonError::into_inner).clone());
         if let Some((_, known)) = known.filter(|(before, _)| *before == now) {
             return Ok(known);
         }
         let unreadable = |error: String| unreadable(&self.name, &error);
-        let bytes = fs::read(&self.path).map_err(|error| unreadable(error.to_string()))?;
-        let goes_on = watch::within(limits::INSPECTION, stop);
-        let inspection = mesh::looked_at(&self.name, &self.path, &bytes, &goes_on).map_err(unreadable)?;
-        watch::is_wanted(stop)?;
+        let bytes = read(files, &self.path).map_err(|error| unreadable(error.to_string()))?;
+        let inspection = mesh::looked_at(&self.name, &self.path, (&bytes, files), &|| watch.goes_on());
+        let inspection = inspection.map_err(unreadable)?;
+        require_wanted(watch)?;
         let inspection = Arc::new(inspection);
         if let Some(found) = found {
             *found.lock().unwrap_or_else(PoisonError::into_inner) = (now, inspection.clone());
@@ -238,9 +268,15 @@ impl Document {
     pub(crate) fn draft(&self) -> Result<&Mutex<Draft>, Refusal> {
         match &self.content {
             Content::Scenario { draft, .. } => Ok(draft),
-            _ => Err(Refusal::new(StatusCode::BAD_REQUEST, format!("{:?} is not a scenario", self.name))),
+            _ => Err(Refusal::new(RefusalKind::BadRequest, format!("{:?} is not a scenario", self.name))),
         }
     }
+}
+
+fn read(files: &dyn Files, path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    files.open(path)?.read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn name_of(path: &Path) -> String {
@@ -248,15 +284,19 @@ fn name_of(path: &Path) -> String {
 }
 
 fn unreadable(name: &str, error: &str) -> Refusal {
-    Refusal::new(StatusCode::UNPROCESSABLE_ENTITY, format!("{name:?} cannot be read: {error}"))
+    Refusal::new(RefusalKind::Unprocessable, format!("{name:?} cannot be read: {error}"))
 }
 
-/// Returns a stamp that changes when one of the files is written to.
-fn stamp<'a>(files: impl Iterator<Item = &'a Path>) -> String {
+/// Returns a stamp that changes when one of the files is written to. Files without a time of
+/// change, such as those in memory, are compared by their contents.
+fn stamp<'a>(files: &dyn Files, paths: impl Iterator<Item = &'a Path>) -> String {
     let mut hasher = DefaultHasher::new();
-    for path in files {
-        let told = fs::metadata(path).ok().filter(fs::Metadata::is_file);
-        told.map(|told| (told.len(), told.modified().ok())).hash(&mut hasher);
+    for path in paths {
+        let look = files.look(path).ok().filter(Look::is_file);
+        look.map(|look| (look.length, look.changed)).hash(&mut hasher);
+        if look.is_some_and(|look| look.changed.is_none()) {
+            read(files, path).ok().hash(&mut hasher);
+        }
     }
     format!("{:016x}", hasher.finish())
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
 use polhode_shape::mesh::{MeshContents, MeshFormat, MeshSolid, SolidPart};
-use polhode_source::files::Disk;
+use polhode_source::files::Files;
 
 use crate::inspect::{MARKS, MeshInspection};
 use crate::part_names::PartNames;
@@ -18,14 +18,15 @@ pub(crate) enum Mesh {
 }
 
 impl Mesh {
-    /// Reads the bytes of a file; an error says why they are not a mesh.
+    /// Reads the bytes of a file, which may name others in `files`; an error says why they are not
+    /// a mesh.
     pub(crate) fn of(
         name: &str,
         path: &Path,
-        bytes: &[u8],
+        (bytes, files): (&[u8], &dyn Files),
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, String> {
-        let read = Read::of(path, bytes)?;
+        let read = Read::of(path, bytes, files)?;
         match ClosedMesh::or_flaws(read.surface()?, MARKS, goes_on) {
             Ok((mesh, _)) => {
                 let given = (!read.format.has_unit()).then_some(read.assumed);
@@ -43,10 +44,10 @@ impl Mesh {
 pub(crate) fn looked_at(
     name: &str,
     path: &Path,
-    bytes: &[u8],
+    (bytes, files): (&[u8], &dyn Files),
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<MeshInspection, String> {
-    let read = Read::of(path, bytes)?;
+    let read = Read::of(path, bytes, files)?;
     let surface = read.surface()?;
     Ok(match ClosedMesh::or_flaws(surface, MARKS, goes_on) {
         Ok((solid, places)) => {
@@ -66,9 +67,9 @@ struct Read {
 }
 
 impl Read {
-    fn of(path: &Path, bytes: &[u8]) -> Result<Self, String> {
+    fn of(path: &Path, bytes: &[u8], files: &dyn Files) -> Result<Self, String> {
         let format = MeshFormat::of_path(path).ok_or("it is not a mesh")?;
-        let contents = MeshContents::parse(&Disk, bytes, path, format).map_err(|error| error.message())?;
+        let contents = MeshContents::parse(files, bytes, path, format).map_err(|error| error.message())?;
         let (assumed, parts) = (assumed_unit(&contents), PartNames::of(&contents));
         let contents = contents.as_one().map_err(|error| error.to_string())?;
         Ok(Self { format, contents, parts, assumed })

@@ -1,0 +1,235 @@
+//! Engine of the page: the documents and lessons of a session, and its answers.
+
+use std::path::Path;
+use std::sync::{Arc, PoisonError};
+
+use polhode_source::files::Files;
+use serde::Serialize;
+
+use crate::documents::{Documents, DroppedSet};
+use crate::framed::{json, with_rows};
+use crate::inspect::{DocumentContent, MeshInspection};
+use crate::lesson::{self, LessonError, Lessons};
+use crate::message::{Message, read_request};
+use crate::motion;
+use crate::protocol::{
+    Choice, CompleteAnswer, CompleteRequest, DocumentInfo, DocumentList, Lesson, LessonInfo, MotionAnswer,
+    MotionRequest,
+};
+use crate::refusal::Refusal;
+use crate::utf16;
+use crate::watch::{Watch, require_wanted};
+
+/// Session of the page: its documents and lessons.
+///
+/// The text of a scenario is the only state of a motion. The engine keeps the files that were
+/// opened, but no motions. Several threads may call it simultaneously. Files are those of the
+/// [`Files`] that a call passes, and a [`Watch`] ends long computations.
+///
+/// ```
+/// use polhode_source::files::Memory;
+/// use polhode_web::{Edit, Engine, MotionRequest};
+/// let text = "[[body.part]]\nshape = \"box\"\nsize = [\"1 m\", \"2 m\", \"3 m\"]\nmass = \"5 kg\"\n\
+///             [start]\nspin = { body = [\"0.1 rad/s\", \"2 rad/s\", \"0.3 rad/s\"] }\n\
+///             [run]\nduration = \"4 s\"\nsamples = 5\n";
+/// let files = Memory::from([("box.toml", text)]);
+/// let engine = Engine::default();
+/// let opened = engine.open("box.toml".as_ref(), None, &files, &|| true)?;
+/// let edits = vec![Edit::Set { set: "body.part[0].mass".to_owned(), value: Some("\"7 kg\"".to_owned()) }];
+/// let (text, body) = (text.to_owned(), None);
+/// let request = MotionRequest { document: opened.id, text, edits, error: false, working: false, body };
+/// let answer = engine.motion(&request, &files, &|| true)?;
+/// assert!(answer.text.contains("mass = \"7 kg\"") && answer.errors.is_empty());
+/// let motion = answer.motion.unwrap();
+/// assert_eq!(motion.page["motion"]["times"]["f64"][1], 5);
+/// # Ok::<(), polhode_web::Refusal>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Engine {
+    documents: Documents,
+    lessons: Lessons,
+}
+
+impl Engine {
+    /// Creates a session that begins with a lesson: the id of one of [`lessons`](crate::lessons),
+    /// or a file.
+    ///
+    /// # Errors
+    /// [`LessonError`] if the lesson is unknown or invalid.
+    pub fn beginning_with_lesson(
+        name: &str,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<Self, LessonError> {
+        let (documents, lessons) = (Documents::default(), Lessons::beginning_with(name)?);
+        if let Some(id) = &lessons.first {
+            lessons.open(id, &documents, files, watch).map_err(|error| match error {
+                lesson::Error::Wrong(error) => error,
+                lesson::Error::Unknown => lesson::unknown(Path::new(name)),
+            })?;
+        }
+        Ok(Self { documents, lessons })
+    }
+
+    /// Returns the id of the lesson with which the session begins.
+    pub fn first_lesson(&self) -> Option<&str> {
+        self.lessons.first.as_deref()
+    }
+
+    /// Opens the default scenario as a document.
+    pub fn open_example(&self, files: &dyn Files) -> DocumentInfo {
+        self.documents.open_example().info(files)
+    }
+
+    /// Opens a file as a document: a scenario, mesh, molecule, robot or table of particles.
+    ///
+    /// A file without a set is one that the user named: it may refer to other files. A file of a
+    /// set may refer only to files of that set.
+    ///
+    /// # Errors
+    /// [`Refusal`] if the file cannot be read, the session is full, or nobody waits.
+    pub fn open(
+        &self,
+        path: &Path,
+        set: Option<&DroppedSet>,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<DocumentInfo, Refusal> {
+        Ok(self.documents.open(path, set, files, watch)?.info(files))
+    }
+
+    /// Returns the documents, in the order in which they were opened.
+    pub fn documents(&self, files: &dyn Files) -> DocumentList {
+        let documents: Vec<_> = self.documents.all().iter().map(|one| one.info(files)).collect();
+        DocumentList { first: documents.first().map(|one| one.id), documents }
+    }
+
+    /// Returns true for a mesh or a robot, whose [`Engine::document`] may take long.
+    pub fn is_inspected(&self, id: u32) -> bool {
+        self.documents.get(id).is_ok_and(|document| document.is_inspected())
+    }
+
+    /// Returns the text of a scenario, or the inspection of a mesh or a robot, from the file as it
+    /// is now.
+    ///
+    /// # Errors
+    /// [`Refusal`] if the document is unknown, the file cannot be read, or nobody waits.
+    pub fn document(
+        &self,
+        id: u32,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<DocumentContent, Refusal> {
+        self.documents.get(id)?.content(files, watch)
+    }
+
+    /// Returns the inspection of a mesh, also of a closed one that is a scenario's body.
+    ///
+    /// # Errors
+    /// [`Refusal`] if the document is unknown or not a mesh, the file cannot be read, or nobody
+    /// waits.
+    pub fn mesh(
+        &self,
+        id: u32,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<Arc<MeshInspection>, Refusal> {
+        self.documents.get(id)?.looked_at(files, watch)
+    }
+
+    /// Returns all lessons, the one of a teacher first.
+    pub fn lessons(&self, files: &dyn Files) -> Vec<LessonInfo> {
+        self.lessons.list(files)
+    }
+
+    /// Opens a lesson: its scenario becomes a document.
+    ///
+    /// # Errors
+    /// [`Refusal`] if the lesson is unknown or invalid.
+    pub fn lesson(&self, id: &str, files: &dyn Files, watch: &dyn Watch) -> Result<Lesson, Refusal> {
+        Ok(self.lessons.open(id, &self.documents, files, watch)?)
+    }
+
+    /// Changes a text and computes its motion. Errors of the text are part of the answer.
+    ///
+    /// # Errors
+    /// [`Refusal`] if the document is unknown or not a scenario, there are too many edits, or
+    /// nobody waits.
+    pub fn motion(
+        &self,
+        request: &MotionRequest,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<MotionAnswer, Refusal> {
+        motion::answer(self.documents.get(request.document)?.draft()?, request, files, watch)
+    }
+
+    /// Returns completions of a text at a position.
+    ///
+    /// # Errors
+    /// [`Refusal`] if the document is unknown or not a scenario.
+    pub fn complete(&self, request: &CompleteRequest) -> Result<CompleteAnswer, Refusal> {
+        let document = self.documents.get(request.document)?;
+        let draft = document.draft()?.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let text = &request.text;
+        let found = draft.complete(text, utf16::to_byte(text, request.at));
+        let place = found
+            .as_ref()
+            .map(|found| [found.place.start, found.place.end].map(|at| utf16::of_byte(text, at)));
+        let [from, to] = place.unwrap_or([request.at; 2]);
+        let options = found.into_iter().flat_map(|found| found.suggested);
+        let options = options.map(|one| Choice { label: one.text, detail: one.detail }).collect();
+        Ok(CompleteAnswer { from, to, options })
+    }
+
+    /// Answers a [`Message`] in JSON.
+    ///
+    /// An answer with rows of numbers begins with [`json_before_rows`](crate::json_before_rows).
+    /// All others are JSON and begin with `{`. A refusal is `{"refusal": {"kind", "message",
+    /// "hint"}}`.
+    ///
+    /// ```
+    /// use polhode_source::files::Memory;
+    /// let (engine, files) = (polhode_web::Engine::default(), Memory::default());
+    /// let answer = engine.answer(br#"{"document": {"id": 4}}"#, &files, &|| true);
+    /// let refusal = r#"{"refusal":{"kind":"not_found","message":"unknown document 4","hint":null}}"#;
+    /// assert_eq!(answer, refusal.as_bytes());
+    /// ```
+    pub fn answer(&self, request: &[u8], files: &dyn Files, watch: &dyn Watch) -> Vec<u8> {
+        self.answered(request, files, watch).unwrap_or_else(|refusal| {
+            json(&Refused { refusal }).unwrap_or_else(|_| br#"{"refusal":null}"#.to_vec())
+        })
+    }
+
+    fn answered(&self, request: &[u8], files: &dyn Files, watch: &dyn Watch) -> Result<Vec<u8>, Refusal> {
+        require_wanted(watch)?;
+        match read_request(request)? {
+            Message::Documents => json(&self.documents(files)),
+            Message::Document { id } => self.document(id, files, watch)?.to_bytes(),
+            Message::Mesh { id } => DocumentContent::Mesh { mesh: self.mesh(id, files, watch)? }.to_bytes(),
+            Message::Lessons => json(&serde_json::json!({ "lessons": self.lessons(files) })),
+            Message::Lesson { id } => json(&self.lesson(&id, files, watch)?),
+            Message::Motion(request) => {
+                let answer = self.motion(&request, files, watch)?;
+                with_rows(&answer, answer.motion.as_ref().map_or(&[], |motion| &motion.rows))
+            }
+            Message::Complete(request) => json(&self.complete(&request)?),
+            Message::Open { path } => json(&self.open(&path, None, files, watch)?),
+            Message::OpenExample => json(&self.open_example(files)),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Refused {
+    refusal: Refusal,
+}
+
+impl DocumentContent {
+    fn to_bytes(&self) -> Result<Vec<u8>, Refusal> {
+        match self {
+            Self::Mesh { mesh } => with_rows(self, mesh.rows()),
+            _ => json(self),
+        }
+    }
+}

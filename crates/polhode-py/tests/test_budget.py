@@ -106,7 +106,7 @@ def test_what_is_asked_is_answered() -> None:
     assert found.basis == "basic" and found.draws.shape == (0, 10)
     assert np.isclose(found.mass, 3.18)
     asked = found.only.asked_inertia
-    assert asked is not None and np.allclose(asked, turned.T @ found.body.about(point) @ turned, rtol=1e-12)
+    assert asked is not None and np.allclose(asked, turned.T @ found.body.inertia_about(point) @ turned, rtol=1e-12)
     one, other = (polhode.budget(COLUMNS, plan=PLAN, seed=seed).draws for seed in (5, 6))
     assert not np.array_equal(one, other)
     assert np.array_equal(one, polhode.budget(COLUMNS, plan=PLAN, seed=5, draws=80).draws[:50])

@@ -12,11 +12,12 @@ import numpy.typing as npt
 
 from . import _arrays, _display, _native
 from ._arrays import Floats
-from ._body import Body
+from ._body import Body, is_body, whole
 from ._derivatives import Derivatives, derivatives_of
 from ._error import PolhodeError
 from ._mass_properties import IDENTITY, MassProperties
 from ._states import MotionError, States, rotations
+from ._units import Quantity
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -317,7 +318,7 @@ class FreeMotion:
         """
         return rotations(self.at(times).attitude)
 
-    def page(self, duration: float | None = None) -> str:
+    def page(self, duration: Quantity | None = None) -> str:
         """Returns an HTML page that shows the motion in 3-D in a browser.
 
         Parameters
@@ -384,9 +385,7 @@ class FreeMotion:
 
 def tensor_of(inertia: object) -> object:
     """Returns the tensor of a body; other values are returned unchanged."""
-    if isinstance(inertia, Body):
-        inertia = inertia.mass_properties
-    return inertia.inertia if isinstance(inertia, MassProperties) else inertia
+    return whole("inertia", inertia).inertia if is_body(inertia) else inertia
 
 
 def _room(times: Floats) -> tuple[tuple[Floats, Floats], Floats]:

@@ -14,6 +14,7 @@ from ._judgement import Judgement
 from ._mass_properties import findings_of
 from ._scenario import Scenario, formula_source
 from ._simulate import warn_of_scenario
+from ._units import Quantity
 
 
 def judge(
@@ -28,8 +29,8 @@ def judge(
     sense: str | None = None,
     omega_axes: str | None = None,
     axes: str | None = None,
-    time_origin: float | None = None,
-    step: float | None = None,
+    time_origin: Quantity | None = None,
+    step: Quantity | None = None,
     engine: str | None = None,
 ) -> Judgement:
     """Compares a motion that another program computed with the exact motion of a scenario.

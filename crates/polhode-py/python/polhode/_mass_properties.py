@@ -11,7 +11,9 @@ import numpy.typing as npt
 
 from . import _arrays, _html, _native
 from ._arrays import Floats
+from ._deprecated import Former
 from ._error import PolhodeError, in_python, warn
+from ._units import Quantity
 
 #: Identity rotation, as a quaternion.
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
@@ -74,7 +76,7 @@ class MassProperties:
     ... )
     >>> body.moments.round(3)
     array([ 4.413,  8.113, 10.474])
-    >>> body.about([0, 0, 0])[0, 1]
+    >>> body.inertia_about([0, 0, 0])[0, 1]
     np.float64(4.125)
 
     Bodies can be added: ``a + b`` is both rigidly joined, and ``a.placed(position=…)`` moves one
@@ -86,7 +88,7 @@ class MassProperties:
     def __init__(
         self,
         *,
-        mass: float,
+        mass: Quantity,
         inertia: npt.ArrayLike,
         center_of_mass: npt.ArrayLike = (0.0, 0.0, 0.0),
         about: npt.ArrayLike | None = None,
@@ -193,7 +195,7 @@ class MassProperties:
         """Assumptions and corrections, such as reversed normals or an assumed density."""
         return findings_of(self._native.findings)
 
-    def about(self, point: npt.ArrayLike) -> Floats:
+    def inertia_about(self, point: npt.ArrayLike) -> Floats:
         """Computes the inertia tensor about a point, body axes, kg·m² (parallel axis theorem).
 
         Parameters
@@ -215,12 +217,12 @@ class MassProperties:
         --------
         >>> import polhode
         >>> ball = polhode.shapes.sphere(radius=0.1, mass=2.0)
-        >>> ball.about([0.5, 0, 0]).diagonal().round(6)
+        >>> ball.inertia_about([0.5, 0, 0]).diagonal().round(6)
         array([0.008, 0.508, 0.508])
         """
         return self._native.about(_arrays.triple("point", point))
 
-    def along(self, rotation: object) -> Floats:
+    def inertia_along(self, rotation: object) -> Floats:
         """Returns the inertia tensor about the centre of mass along rotated axes (3, 3), kg·m².
 
         Parameters
@@ -240,6 +242,9 @@ class MassProperties:
             If an argument is invalid; the message names the argument, the element and the rule.
         """
         return self._native.along(_arrays.quaternions("rotation", rotation, (4,)).tolist())
+
+    about = Former("MassProperties.about", "inertia_about")
+    along = Former("MassProperties.along", "inertia_along")
 
     def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> MassProperties:
         """Returns the body in a frame where its origin is at ``position`` and its axes are rotated.

@@ -10,5 +10,6 @@ def place(module: str, *classes: type) -> None:
     for public in classes:
         public.__module__ = module
         for name, member in vars(public).items():
-            if isinstance(member, FunctionType) and not name.startswith("_"):
-                member.__module__ = module
+            method = member.__func__ if isinstance(member, classmethod) else member
+            if isinstance(method, FunctionType) and not name.startswith("_"):
+                method.__module__ = module

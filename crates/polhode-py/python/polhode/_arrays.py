@@ -10,8 +10,7 @@ from __future__ import annotations
 
 import math
 import os
-import re
-from typing import Any, Iterable, Mapping, Sequence
+from typing import Any, Iterable, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -222,56 +221,12 @@ def refuse(name: str, array: npt.NDArray[Any], wrong: npt.NDArray[np.bool_], rul
         raise PolhodeError(f"{name}{place} = {array[index]} must be {rule}")
 
 
-def rotations(name: str, value: Any) -> Floats:
-    """Converts rotations to an array: quaternions (…, 4), scalar first, or matrices (…, 3, 3).
-
-    A ``scipy.spatial.transform.Rotation``, which is scalar last, is reordered. A mapping is a
-    single rotation in a form of scenario files, such as ``{"axis": [0, 0, 1], "angle": "30 deg"}``.
-    """
-    if hasattr(value, "as_quat"):
-        # SciPy before 1.14 has no ``scalar_first``: reorder the components here.
-        return np.ascontiguousarray(np.asarray(value.as_quat())[..., [3, 0, 1, 2]])
-    if isinstance(value, Mapping):
-        return np.array(_of_form(name, value))
-    return real(name, value)
-
-
-def _of_form(name: str, form: Mapping[str, Any]) -> list[float]:
-    """Returns the quaternion of a rotation in a form of scenario files."""
-    from ._toml import pair  # which uses this module
-
-    try:
-        return _native.quaternion_of_text(name, pair(name, "rotation", form))
-    except PolhodeError as error:
-        message = re.sub(rf"^{re.escape(name)}:\d+:\d+: ", "", error.args[0])
-        raise PolhodeError(f"{name}: {message}", error.args[1]) from None
-
-
-def quaternions(name: str, value: Any, shape: tuple[int | str, ...]) -> Floats:
-    """Converts :func:`rotations` to quaternions of a shape, scalar first."""
-    given = rotations(name, value)
-    if given.ndim == len(shape) + 1 and given.shape[-2:] == (3, 3):
-        matrices = numbers(name, given, (*shape[:-1], 3, 3))
-        return _native.quaternions_of_matrices(name, matrices.reshape(-1, 9)).reshape(*matrices.shape[:-2], 4)
-    array = numbers(name, given, shape)
-    refuse(name, array, np.broadcast_to(~array.any(axis=-1, keepdims=True), array.shape), "part of a quaternion that is not zero")
-    return array
-
-
 def triple(name: str, value: object) -> list[float]:
     """Converts a vector to a list of three numbers."""
-    return _few(value, 3) or numbers(name, value, (3,)).tolist()
+    return few(value, 3) or numbers(name, value, (3,)).tolist()
 
 
-def quaternion(name: str, value: object) -> list[float]:
-    """Converts a rotation to the list of its quaternion."""
-    if (plain := _few(value, 4)) is not None and any(plain):
-        return plain
-    found: list[float] = quaternions(name, value, (4,)).tolist()
-    return found
-
-
-def _few(value: Any, count: int) -> list[float] | None:
+def few(value: Any, count: int) -> list[float] | None:
     """Returns the numbers of a short list, tuple or array as a list if they are certainly valid,
     otherwise ``None``: the caller then checks them in full."""
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (count,):
@@ -305,7 +260,7 @@ def symmetric(name: str, tensors: Floats) -> Floats:
 
 def tensor(name: str, value: object) -> list[list[float]]:
     """Converts an inertia tensor (3, 3), or three moments about the body's own axes, to rows."""
-    if (moments := _few(value, 3)) is not None:
+    if (moments := few(value, 3)) is not None:
         a, b, c = moments
         return [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (3, 3):

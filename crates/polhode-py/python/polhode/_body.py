@@ -73,7 +73,7 @@ class Body(NoArray, Mapping[str, MassProperties]):
             New position of the body's origin (3,), m.
         rotation
             Rotation from present components to new ones: a quaternion (w, x, y, z), a matrix
-            (3, 3), or a ``scipy.spatial.transform.Rotation``.
+            (3, 3), a ``scipy.spatial.transform.Rotation``, or a form of scenario files.
 
         Returns
         -------

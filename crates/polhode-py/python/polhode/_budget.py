@@ -12,7 +12,7 @@ from typing import Any, Iterable, Iterator, Mapping, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native, _toml
+from . import _arrays, _native, _rotation, _toml
 from ._arrays import Floats
 from ._computed_function import Turned
 from ._error import PolhodeError
@@ -323,9 +323,9 @@ def budget(
 
 def _matrix(axes: object) -> list[list[float]]:
     """Returns the matrix of a rotation; one that is a matrix keeps its bits."""
-    given = _arrays.rotations("axes", axes)
+    given = _rotation.rotations("axes", axes)
     if given.shape != (3, 3):
-        quaternion = _arrays.quaternions("axes", given, (4,))
+        quaternion = _rotation.quaternions("axes", given, (4,))
         given = Turned(quaternion / np.linalg.norm(quaternion)).as_matrix()
     rows: list[list[float]] = _arrays.numbers("axes", given, (3, 3)).tolist()
     return rows

@@ -7,7 +7,7 @@ from typing import Any, Iterable, Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _native, _rotation
 from ._actions import Actions, Functions, Torques
 from ._arrays import Floats
 from ._body import Body, is_body, whole
@@ -292,8 +292,8 @@ def _each(name: str, value: Any, shape: tuple[int, ...]) -> Floats:
     check, ndim = _arrays.numbers, len(shape)
     if name == "attitude":
         # A matrix (3, 3) has one axis more than a quaternion.
-        given = _arrays.rotations(name, value)
-        check, ndim = _arrays.quaternions, 2 if given.ndim > 1 and given.shape[-2:] == (3, 3) else 1
+        given = _rotation.rotations(name, value)
+        check, ndim = _rotation.quaternions, 2 if given.ndim > 1 and given.shape[-2:] == (3, 3) else 1
     else:
         given = _arrays.real(name, value)
     return check(name, given, shape)[None] if given.ndim == ndim else check(name, given, ("n", *shape))

@@ -8,7 +8,7 @@ from typing import Iterable, Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native, _toml
+from . import _arrays, _native, _rotation, _toml
 from ._error import PolhodeError
 from ._flight import Flight, as_long
 from ._identified import PayloadResult, SwingResult, TumbleResult, identified_of
@@ -341,7 +341,7 @@ def identify_payload(
     down = _arrays.real("gravity", gravity)
     turned = None
     if attitude is not None:
-        turned = _arrays.quaternions("attitude", attitude, ("n", 4))
+        turned = _rotation.quaternions("attitude", attitude, ("n", 4))
         as_long("times", when, "attitude", turned)
         down = _arrays.numbers("gravity", down, (3,)).reshape(1, 3)
     elif down.shape == (3,) and not down.any():

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _native, _rotation
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._judgement import Judgement
@@ -146,7 +146,7 @@ def _attitudes(attitude: Any, said: _native.Said) -> Floats:
         return _arrays.numbers("attitude", given, ("n", 3, 3)).reshape(-1, 9)
     if given.ndim != 2 or given.shape[1] != 4:
         raise PolhodeError(f"attitude must have the shape (n, 4), or (n, 3, 3) for matrices, not {given.shape}")
-    return _arrays.quaternions("attitude", given, ("n", 4))
+    return _rotation.quaternions("attitude", given, ("n", 4))
 
 
 def _one_of(name: str, value: object, known: list[str]) -> str | None:

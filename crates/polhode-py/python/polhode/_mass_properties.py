@@ -9,7 +9,7 @@ from typing import Any, Iterable, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _html, _native
+from . import _arrays, _html, _native, _rotation
 from ._arrays import Floats
 from ._deprecated import Former
 from ._error import PolhodeError, in_python, warn
@@ -229,7 +229,7 @@ class MassProperties:
         ----------
         rotation
             Rotation from components along those axes to body components: a quaternion (w, x, y, z),
-            a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+            a matrix (3, 3), a ``scipy.spatial.transform.Rotation``, or a form of scenario files.
 
         Returns
         -------
@@ -241,7 +241,7 @@ class MassProperties:
         PolhodeError
             If an argument is invalid; the message names the argument, the element and the rule.
         """
-        return self._native.along(_arrays.quaternions("rotation", rotation, (4,)).tolist())
+        return self._native.along(_rotation.quaternions("rotation", rotation, (4,)).tolist())
 
     about = Former("MassProperties.about", "inertia_about")
     along = Former("MassProperties.along", "inertia_along")
@@ -255,7 +255,7 @@ class MassProperties:
             Position of the body's origin in the new frame (3,), m.
         rotation
             Rotation from the body's present components to the new ones: a quaternion (w, x, y, z),
-            a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+            a matrix (3, 3), a ``scipy.spatial.transform.Rotation``, or a form of scenario files.
 
         Returns
         -------
@@ -267,7 +267,7 @@ class MassProperties:
         PolhodeError
             If an argument is invalid; the message names the argument, the element and the rule.
         """
-        turn = _arrays.quaternions("rotation", rotation, (4,)).tolist()
+        turn = _rotation.quaternions("rotation", rotation, (4,)).tolist()
         return MassProperties._of(self._native.placed(_arrays.triple("position", position), turn))
 
     def __add__(self, other: object) -> MassProperties:

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Iterable, Iterator, Mapping, TypeVar
 
 import numpy as np
 
-from . import _arrays
+from . import _arrays, _rotation
 from ._toml import pair
 from ._units import has_units
 
@@ -83,7 +83,7 @@ def rotation(name: str, value: object) -> Any:
     """Converts a rotation to its stored form, a dictionary as in files."""
     if value is None or isinstance(value, Mapping):
         return plain(name, value)
-    return {"quaternion": plain(name, _arrays.quaternions(name, value, (4,)))}
+    return {"quaternion": plain(name, _rotation.quaternions(name, value, (4,)))}
 
 
 def _tuples(value: Any) -> Any:

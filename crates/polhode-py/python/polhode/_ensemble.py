@@ -181,7 +181,7 @@ class Ensemble:
         ... ]
         >>> states = polhode.Ensemble.from_scenarios(braked).at([0.0, 9.0])
         >>> states.event_times("slow").round(3)
-        array([  nan, 6.978, 3.489])
+        array([  nan, 6.874, 3.437])
         >>> bool(states.event_times("slow")[2] == polhode.simulate(braked[2]).ending.time)
         True
         """

@@ -26,8 +26,7 @@ source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 myst_enable_extensions = ["dollarmath"]
 # Headings have the same anchors as on code hosts.
 myst_heading_anchors = 6
-# Two classes are named Event: a table of a scenario, and an occurrence in a motion.
-suppress_warnings = ["myst.header", "ref.python"]
+suppress_warnings = ["myst.header"]
 
 # Reading the docstrings does not need the compiled module or other packages.
 autodoc_mock_imports = ["polhode._native", "numpy", "pyarrow", "distributed", "ray", "scipy", "matplotlib"]

@@ -36,7 +36,7 @@ arm = EXAMPLES / "robots" / "arm.urdf"
 print(polhode.link_table(arm))
 for elbow in (0, 55, 110):
     carried = polhode.inertia(arm, subtree="upper_arm", joints={"elbow": f"{elbow} deg"})
-    at_shoulder = carried.about([0.0, 0.0, 0.0])
+    at_shoulder = carried.inertia_about([0.0, 0.0, 0.0])
     print(f"elbow {elbow:4.0f}°   I_yy about the shoulder {at_shoulder[1, 1]:.4f} kg·m²")
 
 # %% [markdown]

@@ -11,7 +11,7 @@ from polhode import plot, shapes
 
 # %%
 cube = shapes.box(size=[1, 1, 1], mass=1.0).placed(position=[0.5, 0.5, 0.5])
-about_corner = cube.about([0, 0, 0])
+about_corner = cube.inertia_about([0, 0, 0])
 print(about_corner)
 np.testing.assert_allclose(about_corner, 11 / 12 * np.eye(3) - 1 / 4 * np.ones((3, 3)), atol=1e-15)
 print(np.linalg.eigvalsh(about_corner), "should be 1/6, 11/12, 11/12")

@@ -9,7 +9,7 @@ use polhode_budget::read as budget;
 use polhode_budget::read::{BudgetFile, Questions};
 use polhode_budget::report::{BudgetReport, Scope};
 use polhode_document::layout::WIDTH;
-use polhode_source::{Failure, FormatError};
+use polhode_source::FormatError;
 use pyo3::prelude::*;
 
 use crate::arrays::matrix;
@@ -69,7 +69,7 @@ pub(crate) fn budget_list(
     let draws = report.draws().map(|bodies| matrix(py, &bodies)).collect::<PyResult<_>>()?;
     let names = report.names();
     let scenarios = names.iter().map(|name| report.to_scenario(name.as_deref()));
-    let scenarios = scenarios.collect::<Result<_, _>>().map_err(|failure| raised(&failure))?;
+    let scenarios = scenarios.collect::<Result<_, _>>().map_err(Raise::raise)?;
     let [json, text, markdown, page] = py.detach(|| {
         let document = report.to_document();
         let json = report.to_json().to_string();
@@ -96,8 +96,7 @@ fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -
         return Err(refused("the limits of the file need draws, but draws is 0", Some(hint)));
     }
     let configuration = asked.configuration.as_deref();
-    BudgetReport::of_file(file, &questions, configuration, Scope::Full, &mut |_, _| ())
-        .map_err(|failure| raised(&failure))
+    BudgetReport::of_file(file, &questions, configuration, Scope::Full, &mut |_, _| ()).map_err(Raise::raise)
 }
 
 /// Returns the error with the row of the dataframe, from 0, instead of a place in the generated
@@ -109,8 +108,4 @@ fn of_table(error: &FormatError, head: usize) -> PyErr {
         None => error.message(),
     };
     refused(message, error.hint().as_deref())
-}
-
-fn raised(failure: &Failure) -> PyErr {
-    refused(failure.message(), failure.hint().as_deref())
 }

@@ -5,7 +5,7 @@ use std::io::ErrorKind;
 use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
-use polhode_source::{FormatError, FormatErrorKind, Place};
+use polhode_source::{Failure, FormatError, FormatErrorKind, Place};
 use pyo3::PyErr;
 use pyo3::exceptions::PyOSError;
 
@@ -63,6 +63,16 @@ impl Raise for FormatError {
             return PyOSError::new_err((number, words, file.clone()));
         }
         raised_by("", self)
+    }
+}
+
+impl Raise for Failure {
+    fn raise(self) -> PyErr {
+        match self {
+            Self::Input(error) => error.raise(),
+            Self::Motion { error, .. } => error.raise(),
+            Self::Usage { message, hint, .. } => refused(message, hint.as_deref()),
+        }
     }
 }
 

@@ -109,7 +109,7 @@ mod _native {
     #[pymodule_export]
     use crate::robot::{is_robot, robot_file, robot_groups, robot_links, robot_table};
     #[pymodule_export]
-    use crate::rotation::quaternions_of_matrices;
+    use crate::rotation::{quaternion_of_text, quaternions_of_matrices};
     #[pymodule_export]
     use crate::scenario::{check_scenario, scenario_tables};
     #[pymodule_export]
@@ -126,7 +126,7 @@ mod _native {
     #[pymodule_export]
     use crate::tumbler::tumbling_spins;
     #[pymodule_export]
-    use crate::unit::unit;
+    use crate::unit::{quantity, unit};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -1,11 +1,34 @@
-//! Rotations given as matrices.
+//! Rotations given as matrices, or as in files.
+
+use std::path::Path;
 
 use numpy::{PyArray2, PyReadonlyArray2};
 use polhode::math::Attitude;
+use polhode_source::FormatError;
+use polhode_source::files::Memory;
+use polhode_source::toml::reader::Table;
+use polhode_source::toml::source::Source;
+use polhode_source::toml::{document, rotation};
 use pyo3::prelude::*;
 
 use crate::arrays::{rows, table};
-use crate::error::refused;
+use crate::error::{Raise, refused};
+
+/// Returns the quaternion w, x, y, z of a rotation in a form of files. The text is one line,
+/// `rotation = { axis = [0, 0, 1], angle = "90 deg" }`; errors have `name` as their path.
+///
+/// # Errors
+/// `PolhodeError` if the text is not a rotation.
+#[pyfunction]
+pub(crate) fn quaternion_of_text(name: &str, text: &str) -> PyResult<[f64; 4]> {
+    let files = Memory::default();
+    let source = Source::new(&files, Path::new(name), text);
+    let read = || -> Result<Attitude, FormatError> {
+        let entries = document(source)?;
+        rotation(&Table::root(source, &entries).require("rotation", "rotation = { … }")?)
+    };
+    read().map(|turn| turn.quaternion()).map_err(Raise::raise)
+}
 
 /// Converts direction-cosine matrices, nine numbers by row, to quaternions w, x, y, z. An error
 /// names the first invalid matrix.

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode_document::SourceInfo;
+use polhode_document::{Report as _, SourceInfo};
 use polhode_scenario::read::ScenarioFile;
-use polhode_scenario::report::{GroundStabilityReport, StabilityReport};
+use polhode_scenario::request::stability::Stability;
 use pyo3::prelude::*;
 
-use crate::error::{Raise, refused};
+use crate::error::Raise;
 use crate::scenario;
 
 /// Returns the stability report on a scenario's body as JSON and as text. The scenario is a file or
@@ -22,28 +22,9 @@ pub(crate) fn scenario_stability(
     text: Option<String>,
 ) -> PyResult<(String, String)> {
     py.detach(|| {
-        let file = scenario::read(path.clone(), text).map_err(Raise::raise)?;
-        if file.scenario.prescribed().is_some() {
-            let hint = "delete [prescribed], or use polhode.explain for the torque that the motion needs";
-            return Err(refused("the motion is prescribed, so its stability is not defined", Some(hint)));
-        }
-        if file.scenario.history().is_some() {
-            let hint =
-                "polhode.simulate computes its motion; delete [mass_history] for the body at the start";
-            return Err(refused("the mass properties change, so steady motions are not defined", Some(hint)));
-        }
-        let source = source(&path, &file);
-        match file.scenario.ground() {
-            Some(ground) => {
-                let report = GroundStabilityReport::of_scenario(source, &file.scenario, ground);
-                let report = report.map_err(Raise::raise)?;
-                Ok((report.to_json().to_string(), report.to_text()))
-            }
-            None => {
-                let report = StabilityReport::of_scenario(source, &file.scenario);
-                Ok((report.to_json().to_string(), report.to_text()))
-            }
-        }
+        let file = scenario::read(path, text).map_err(Raise::raise)?;
+        let report = Stability::of_scenario(&file).map_err(Raise::raise)?;
+        Ok((report.to_json().to_string(), report.to_text(None)))
     })
 }
 

@@ -11,6 +11,7 @@ import io
 import os
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -72,7 +73,7 @@ NEVER: list[Any] = [
 ]
 
 #: Arguments that take such a thing all the same: folders and torques may come from a generator, and a class is a function.
-TAKEN = {("check", "roots"), ("Ensemble", "torques"), ("Ensemble", "wheels"), ("Ensemble", "events"), ("Ensemble", "orbit"), ("Ensemble.of", "scenarios")}
+TAKEN = {("check", "roots"), ("Ensemble", "torques"), ("Ensemble", "wheels"), ("Ensemble", "events"), ("Ensemble", "orbit"), ("Ensemble.from_scenarios", "scenarios")}
 
 
 def functions() -> dict[Callable[..., object], dict[str, Any]]:
@@ -92,14 +93,14 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
             **{"body": body, "omega": [[1.0, 2, 3]] * 2, "pivot": [0.1, 0.3, -0.2], "attitude": [1, 0, 0, 0]},
             **{"torques": [scenario.Gravity()], "wheels": [], "events": [], "orbit": None},
         },
-        polhode.Ensemble.of: {"scenarios": [polhode.Scenario(body)]},
+        polhode.Ensemble.from_scenarios: {"scenarios": [polhode.Scenario(body)]},
         polhode.simulate: {"scenario": ROOT / "examples" / "t-handle.toml", "times": [0.0, 1.0], "error": "cheap"},
         polhode.check: {"path": ROOT / "examples" / "robots" / "arm.urdf", "roots": []},
         polhode.fixed_groups: {"path": ROOT / "examples" / "robots" / "arm.urdf"},
         polhode.link_table: {"path": ROOT / "examples" / "robots" / "arm.urdf", "joints": {"elbow": 0.3}},
         polhode.Body: {"parts": {"a": body}},
-        body.about: {"point": [1, 2, 3]},
-        body.along: {"rotation": [1, 0, 0, 0]},
+        body.inertia_about: {"point": [1, 2, 3]},
+        body.inertia_along: {"rotation": [1, 0, 0, 0]},
         body.placed: {"position": [0, 0, 0], "rotation": [1, 0, 0, 0]},
         body.export: {"format": "urdf", "name": "x"},
         free.at: {"times": [1.0, 2.0]},
@@ -221,6 +222,9 @@ def test_hints_name_keywords(tmp_path: Path) -> None:
         ("--fill 0.25, or", "fill=0.25, or"),
         ("united by --union:", "united by union=True:"),
         ("use --lump fixed, which", "use fixed_groups(), which"),
+        ("--lump fixed, --lump all or --subtree, or list them by --table; its", "fixed_groups(), inertia() or subtree, or list them by link_table(); its"),
+        ("run without --body to see", "run without the attribute body to see"),
+        ("`polhode simulate` computes it, `polhode torque` its torque", "polhode.simulate computes it, polhode.required_torque its torque"),
         ("but --draws is 0", "but draws is 0"),
     ):
         assert in_python(flag) == keyword
@@ -297,7 +301,7 @@ def test_matrices_are_attitudes() -> None:
     for matrix, quaternion in zip(matrices, wxyz):
         states = [polhode.FreeMotion(inertia=body, omega=[1, 2, 3], attitude=given).at(0.3) for given in (matrix, matrix.tolist(), quaternion)]
         assert np.abs(states[0].attitude - states[2].attitude).max() < 1e-14 and states[0] == states[1]
-        assert np.allclose(body.along(matrix), body.along(quaternion), rtol=0, atol=1e-14)
+        assert np.allclose(body.inertia_along(matrix), body.inertia_along(quaternion), rtol=0, atol=1e-14)
         assert np.allclose(body.placed(rotation=matrix).inertia, body.placed(rotation=quaternion).inertia, rtol=0, atol=1e-14)
     for matrix, quaternion in ((matrices, wxyz), (matrices[0], wxyz[0])):
         one, two = (polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=np.eye(3), attitude=given).at([0.3]) for given in (matrix, quaternion))
@@ -308,6 +312,69 @@ def test_matrices_are_attitudes() -> None:
         polhode.Flight(attitude_times=[0, 1], attitude=[np.eye(3), -np.eye(3)])
     with pytest.raises(polhode.PolhodeError, match="attitude: "):
         polhode.FreeMotion(inertia=body, omega=[1, 2, 3], attitude=[[1, 0, 0], [0, 1, 1e-3], [0, 0, 1]])
+
+
+def test_a_rotation_is_the_same_at_every_door() -> None:
+    """A quaternion, a matrix, SciPy's rotation, and the forms of files."""
+    turn = Rotation.from_euler("ZXZ", [0.4, 1.1, -0.7])
+    x, y, z, w = turn.as_quat().tolist()
+    angle = np.linalg.norm(turn.as_rotvec())
+    given: list[Any] = [
+        *([w, x, y, z], np.array([w, x, y, z]), turn.as_matrix(), turn.as_matrix().tolist(), turn),
+        *({"quaternion": [w, x, y, z]}, {"matrix": turn.as_matrix().tolist()}, {"euler313": ["0.4 rad", f"{np.rad2deg(1.1)} deg", "-0.7 rad"]}),
+        {"axis": turn.as_rotvec() / angle, "angle": f"{angle} rad"},
+    ]
+    body = polhode.MassProperties(mass=2.0, inertia=[[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]])
+    ball = scenario.Contact(surface=scenario.Surface(shape="sphere", radius=0.2), law="rolling")
+
+    def started(**of: Any) -> np.ndarray:
+        given = {"body": body, "run": scenario.Run(duration=0.5, samples=2)} | of
+        return polhode.simulate(polhode.Scenario(**given), error="cheap").attitude
+
+    doors: dict[str, Callable[[Any], Any]] = {
+        "attitude": lambda turn: polhode.FreeMotion(inertia=body, omega=[1, 2, 3], attitude=turn).at(0.0).attitude,
+        "rotation": lambda turn: body.inertia_along(turn),
+        "rotation ": lambda turn: body.placed(rotation=turn).inertia,
+        "rotation  ": lambda turn: polhode.Body({"one": body}).placed(rotation=turn).mass_properties.inertia,
+        "attitude ": lambda turn: polhode.Ensemble(body, omega=[1, 2, 3], attitude=turn).at([0.0]).attitude,
+        "start.attitude": lambda turn: started(start=scenario.Start(attitude=turn, omega=[0.1, 2.0, 0.3])),
+        "torque.rest": lambda turn: started(torques=[scenario.Torsion(stiffness=2.0, rest=turn)]),
+        "surface.rotate": lambda turn: started(contact=replace(ball, surface=replace(ball.surface, rotate=turn)), start=scenario.Start(omega=[0.1, 2.0, 0.3])),
+        "part.rotate": lambda turn: started(body=scenario.Part(shape="box", size=[0.1, 0.2, 0.3], mass=2.0, rotate=turn), start=scenario.Start(omega=[0.1, 2.0, 0.3])),
+    }
+    for name, door in doors.items():
+        first, *others = (np.asarray(door(one)) for one in given)
+        assert all(np.allclose(one, first, rtol=0, atol=1e-13) for one in others), name
+        for wrong, says in (
+            ([1.0, 0.0, 0.0], r"must have the shape \(4,\), not \(3,\)"),
+            ([0.0, 0.0, 0.0, 0.0], "part of a quaternion that is not zero"),
+            (-np.eye(3), "not a rotation|determinant|left-handed|reflection"),
+            ("30 deg", "must be real numbers, not text"),
+        ):
+            with pytest.raises((polhode.PolhodeError, TypeError), match=rf"^{name.strip()}.*({says})"):
+                door(wrong)
+        with pytest.raises(polhode.PolhodeError, match="(?s)axiss.*did you mean axis"):
+            door({"axiss": [0, 0, 1], "angle": 1.0})
+
+
+def test_a_body_is_the_same_at_every_door() -> None:
+    """Mass properties, or a body of named parts."""
+    parts = {"a": shapes.box(size=[0.1, 0.2, 0.4], mass=1.5), "b": shapes.sphere(radius=0.1, mass=0.7).placed(position=[0.1, -0.2, 0.3])}
+    body = polhode.Body(parts)
+    whole = body.mass_properties
+    doors: list[Callable[[Any], Any]] = [
+        lambda body: polhode.FreeMotion(inertia=body, omega=[1, 2, 3]).at(0.7).omega,
+        lambda body: polhode.Ensemble(body, omega=[1, 2, 3]).at([0.7]).omega,
+        lambda body: polhode.Ensemble([body], omega=[1, 2, 3]).at([0.7]).omega,
+        lambda body: polhode.Ensemble(inertia=body, omega=[1, 2, 3]).at([0.7]).omega,
+        lambda body: polhode.Body({"inner": body, "more": parts["a"]}).mass_properties.inertia,
+        lambda body: polhode.simulate(polhode.Scenario(body, start=scenario.Start(omega=[1, 2, 3])), times=[0.0, 0.7]).omega,
+        lambda body: polhode.spins_from_periods(inertia=body, periods=[2.1, 9.3], convention="short")[0].omega,
+    ]
+    for door in doors:
+        assert np.allclose(door(body), door(whole), rtol=1e-12, atol=1e-14)
+    with pytest.raises(TypeError, match="part 'a' must be MassProperties or a Body, not float"):
+        polhode.Body({"a": 1.0})  # type: ignore[dict-item]
 
 
 def test_counts_are_whole_numbers_of_any_kind() -> None:

@@ -15,6 +15,7 @@ import polars
 import polhode
 import pyarrow
 import pytest
+from scipy.spatial.transform import Rotation
 
 #: A frame of which all stands turned, a plate and a point with their errors, and something heavy.
 COLUMNS: dict[str, list[Any]] = {
@@ -106,7 +107,10 @@ def test_what_is_asked_is_answered() -> None:
     assert found.basis == "basic" and found.draws.shape == (0, 10)
     assert np.isclose(found.mass, 3.18)
     asked = found.only.asked_inertia
-    assert asked is not None and np.allclose(asked, turned.T @ found.body.about(point) @ turned, rtol=1e-12)
+    assert asked is not None and np.allclose(asked, turned.T @ found.body.inertia_about(point) @ turned, rtol=1e-12)
+    for same in (Rotation.from_matrix(turned), 2.0 * Rotation.from_matrix(turned).as_quat()[[3, 0, 1, 2]], {"matrix": turned}):
+        again = polhode.budget(COLUMNS, plan=PLAN, basis="basic", about=point, axes=same, draws=0).only.asked_inertia
+        assert again is not None and np.allclose(again, asked, rtol=0, atol=1e-14)
     one, other = (polhode.budget(COLUMNS, plan=PLAN, seed=seed).draws for seed in (5, 6))
     assert not np.array_equal(one, other)
     assert np.array_equal(one, polhode.budget(COLUMNS, plan=PLAN, seed=5, draws=80).draws[:50])

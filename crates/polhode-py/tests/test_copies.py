@@ -20,6 +20,7 @@ import polhode.sweep
 import pytest
 from conftest import PLAN, ROOT
 from polhode import scenario, shapes
+from polhode._deprecated import Former
 from test_derivatives import PUSHED
 
 TURN = [0.4, -0.7, 1.1, 0.3]
@@ -30,8 +31,8 @@ TABLES = ("to_arrow", "to_pandas", "to_polars", "to_xarray")
 
 #: What methods that need arguments are asked; ``export`` has all its formats.
 ASKED: dict[str, list[dict[str, Any]]] = {
-    "about": [{"point": [-1.0, 0.4, 0.7]}],
-    "along": [{"rotation": TURN}],
+    "inertia_about": [{"point": [-1.0, 0.4, 0.7]}],
+    "inertia_along": [{"rotation": TURN}],
     "placed": [{"position": [0.3, -0.2, 1.7], "rotation": TURN}],
     "export": [
         {"format": f}
@@ -49,7 +50,7 @@ ASKED: dict[str, list[dict[str, Any]]] = {
 }
 
 
-def failed_states() -> polhode.EnsembleStates:
+def failed_states() -> polhode.results.EnsembleStates:
     """Two of three members run away."""
     torque = '[[torque]]\nmodel = "formula"\naxes = "body"\ntorque = ["0", "0", "0.1[kg m^2 s]*wz^3"]\n'
     ensemble = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=[[0.1, 0.2, 0.3], [1e3, 2e3, -1e3], [1, 2, -3]], torques=torque)
@@ -58,7 +59,7 @@ def failed_states() -> polhode.EnsembleStates:
         return ensemble.at([0.0, 0.5, 2.0])
 
 
-def report(tmp_path: Path) -> polhode.CheckReport:
+def report(tmp_path: Path) -> polhode.results.CheckReport:
     path = tmp_path / "arm.urdf"
     path.write_text(
         '''<robot name="arm"><link name="hand"><inertial><mass value="2"/>
@@ -104,13 +105,13 @@ def bodies(tmp_path: Path) -> list[polhode.MassProperties]:
     ]
 
 
-def motions() -> list[polhode.Motion]:
+def motions() -> list[polhode.results.Motion]:
     """Closed forms, steps, events, a motion that is given, a mesh, what cannot go on."""
     names = ["t-handle", "heavy-top", "events", "gravity-gradient", "prescribed-table", "shaft", "torsion-pendulum", "bracket"]
     return [polhode.simulate(EXAMPLES / f"{name}.toml") for name in names]
 
 
-def judgement(with_omega: bool) -> polhode.Judgement:
+def judgement(with_omega: bool) -> polhode.results.Judgement:
     """Of a program that is late."""
     body = '[[body.part]]\nshape = "tensor"\nmass = "3 kg"\nmoments = ["1 kg m^2", "2 kg m^2", "2.5 kg m^2"]\n'
     scenario = body + f"[start]\nattitude = {{ quaternion = {TURN} }}\nspin = {{ body = [0.3, -0.5, 0.9] }}\n"
@@ -120,7 +121,7 @@ def judgement(with_omega: bool) -> polhode.Judgement:
     return polhode.judge(scenario, times=times[1:], attitude=motion.attitude[:-1], omega=omega, time_origin=0.0)
 
 
-def plate() -> polhode.PayloadResult:
+def plate() -> polhode.results.PayloadResult:
     """A plate at a wrist, which noise makes impossible without the constraint, and a wrench that is far off."""
     rng = np.random.default_rng(0)
     omega, alpha, acceleration = (size * rng.normal(size=(80, 3)) for size in (2.0, 6.0, 3.0))
@@ -151,12 +152,12 @@ def asked() -> list[object]:
     """Answers about scenarios."""
     wheel, orbit, stone = (polhode.stability(EXAMPLES / f"{name}.toml") for name in ("gyrostat", "gravity-gradient", "rattleback"))
     assert orbit.equilibrium is not None
-    tumbling = polhode.spin(inertia=[[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]], periods=[2.1, 9.3], convention="short")
+    tumbling = polhode.spins_from_periods(inertia=[[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]], periods=[2.1, 9.3], convention="short")
     return [
         polhode.Scenario.from_toml(EXAMPLES / "heavy-top.toml"),
         polhode.Knob(low=0.1, high=2.5, label="spin"),
         polhode.explain(EXAMPLES / "t-handle.toml"),
-        polhode.torque(EXAMPLES / "shaft.toml"),
+        polhode.required_torque(EXAMPLES / "shaft.toml"),
         wheel,
         wheel.motions[0],
         wheel.rotations[0],
@@ -190,7 +191,7 @@ def everything(tmp_path: Path) -> list[object]:
         polhode.inertia(EXAMPLES / "bracket.stl", unit="mm")
     tumbled, swung = (polhode.identify(EXAMPLES / "identify" / f"{name}.toml") for name in ("racket-like", "bifilar"))
     carried = plate()
-    assert isinstance(tumbled, polhode.TumbleResult) and isinstance(swung, polhode.SwingResult) and carried.edge is not None
+    assert isinstance(tumbled, polhode.results.TumbleResult) and isinstance(swung, polhode.results.SwingResult) and carried.edge is not None
     derived = polhode.simulate(PUSHED, derivatives=["torque[0].factor"])
     assert derived.derivatives is not None and derived.derivatives.events
     joined = polhode.Body({"main": made[0], "mesh": made[1], "water": made[2]})
@@ -212,8 +213,8 @@ def everything(tmp_path: Path) -> list[object]:
         states,
         watched,
         watched.at([0.0, 2.5, 4.0]),
-        polhode.Failure(3, 1.25, "too large for a double"),
-        polhode.Stop(3, "lower", 1.25),
+        polhode.results.Failure(3, 1.25, "too large for a double"),
+        polhode.results.Stop(3, "lower", 1.25),
         checked,
         *checked.findings[:2],
         links,
@@ -254,7 +255,7 @@ def everything(tmp_path: Path) -> list[object]:
         listed.only.rows[1],
         listed.only.errors["mass"][0],
         polhode.Flight(times=[0, 0.1, 0.3], gyro=omega[:3], attitude=attitude[:3], added=[1e-3, 2e-3, 2.5e-3], wheels=[([0, 0, 1], 0.2)]),
-        polhode.Flights([polhode.Flight(times=[0, 0.1, 0.3], gyro=omega[:3])]),
+        polhode.results.Flights([polhode.Flight(times=[0, 0.1, 0.3], gyro=omega[:3])]),
         polhode.batch.Vary(key="start.omega[0]", relative=0.1),
         *asked(),
         error,
@@ -269,9 +270,9 @@ def everything(tmp_path: Path) -> list[object]:
 def public_classes() -> set[type]:
     """All that a user can have an object of."""
     found = set()
-    for module in (polhode, polhode.batch, polhode.sweep, shapes, polhode.plot):
+    for module in (polhode, polhode.results, polhode.batch, polhode.sweep, shapes, polhode.plot):
         for name, value in vars(module).items():
-            if not name.startswith("_") and inspect.isclass(value) and value.__module__ in ("polhode", "polhode.batch", "polhode.sweep"):
+            if not name.startswith("_") and inspect.isclass(value) and value.__module__ in ("polhode", "polhode.results", "polhode.batch", "polhode.sweep"):
                 found.add(value)
     return found
 
@@ -303,7 +304,8 @@ def said(thing: object, deep: bool = True) -> dict[str, Any]:
     """All that an object says: every public attribute, every method, its text, its length, its elements."""
     found: dict[str, Any] = {"": type(thing).__qualname__}
     for name in dir(thing):
-        if name.startswith("_") or name == "with_traceback":
+        here = inspect.getattr_static(thing, name)
+        if name.startswith("_") or name == "with_traceback" or isinstance(here, Former) or "Former name" in (inspect.getdoc(here) or ""):
             continue
         value = getattr(thing, name)
         if not callable(value):

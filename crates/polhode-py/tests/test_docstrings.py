@@ -15,8 +15,7 @@ MADE = {"Body", "Ensemble", "Flights", "FreeMotion", "MassProperties", "Scenario
 
 def called() -> Iterator[tuple[str, Any]]:
     """Public functions, the classes that users make, and methods of all that take arguments."""
-    for name in polhode.__all__:
-        value = getattr(polhode, name)
+    for name, value in [*((name, getattr(polhode, name)) for name in polhode.__all__), *((name, getattr(polhode.results, name)) for name in polhode.results.__all__)]:
         if inspect.isfunction(value) or name in MADE:
             yield name, value
         if inspect.isclass(value):

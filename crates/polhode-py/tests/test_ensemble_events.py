@@ -35,9 +35,9 @@ def scenario(k: int, **given: Any) -> polhode.Scenario:
     return polhode.Scenario(BODIES[k], start=Start(attitude={"quaternion": ATTITUDE[k]}, omega=OMEGA[k]), run=Run(duration=4.0), **given)
 
 
-def require_the_motions(ensemble: polhode.Ensemble, scenarios: list[polhode.Scenario]) -> polhode.EnsembleStates:
+def require_the_motions(ensemble: polhode.Ensemble, scenarios: list[polhode.Scenario]) -> polhode.results.EnsembleStates:
     states = ensemble.at(TIMES, threads=2)
-    assert states == ensemble.at(TIMES, threads=1) == polhode.Ensemble.of(scenarios).at(TIMES)
+    assert states == ensemble.at(TIMES, threads=1) == polhode.Ensemble.from_scenarios(scenarios).at(TIMES)
     for k, one in enumerate(scenarios):
         motion = polhode.simulate(one, times=TIMES, error="cheap")
         last = len(motion.times)
@@ -98,10 +98,10 @@ def test_events_switch_torques() -> None:
 def test_events_of_functions() -> None:
     """A vectorized function receives the indices of the members."""
     drags = RNG.uniform(0.2, 0.6, size=COUNT)
-    many = FunctionTorque(law=lambda omega, member: -drags[member, None] * omega, vectorized=True)
+    many = FunctionTorque(function=lambda omega, member: -drags[member, None] * omega, vectorized=True)
     states = made(torques=[many], events=[SLOW]).at(TIMES, tolerance=1e-10)
     for k in range(COUNT):
-        one = FunctionTorque(law=lambda omega, k=k: -drags[k] * omega)
+        one = FunctionTorque(function=lambda omega, k=k: -drags[k] * omega)
         alone = polhode.Ensemble(BODIES[k], omega=OMEGA[k], attitude=ATTITUDE[k], torques=[one], events=[SLOW]).at(TIMES, tolerance=1e-10)
         assert np.array_equal(states.omega[k], alone.omega[0]) and states.events[k] == alone.events[0], k
 
@@ -109,13 +109,13 @@ def test_events_of_functions() -> None:
         raise ZeroDivisionError("at some time") if t > 0.2 else None
 
     with pytest.raises(TypeError):
-        made(torques=[FunctionTorque(law=broken)], events=[SLOW])
+        made(torques=[FunctionTorque(function=broken)], events=[SLOW])
 
     def breaks(t: float, omega: Any) -> Any:
         return -0.1 * omega / (0.0 if t > 0.2 else 1.0) if t <= 0.2 else {}[t]
 
     with pytest.raises(KeyError):
-        made(torques=[FunctionTorque(law=breaks)], events=[SLOW]).at(TIMES, tolerance=1e-10)
+        made(torques=[FunctionTorque(function=breaks)], events=[SLOW]).at(TIMES, tolerance=1e-10)
 
 
 def test_a_member_that_cannot_go_on_has_the_events_before() -> None:
@@ -163,7 +163,7 @@ def test_events_measure_functions() -> None:
     each = [[lean] if k % 3 == 0 else [TURN, lean, spin] if k % 3 == 1 else [lean, formula] for k in range(COUNT)]
     scenarios = [scenario(k, torques=[DRAG], events=each[k]) for k in range(COUNT)]
     require_the_motions(made(torques=[DRAG], events=each), scenarios)
-    require_the_motions(polhode.Ensemble.of(scenarios), scenarios)
+    require_the_motions(polhode.Ensemble.from_scenarios(scenarios), scenarios)
     of_all = made(torques=[DRAG], events=[lean, spin]).at(TIMES)
     same = made(torques=[DRAG], events=[lean, formula]).at(TIMES)
     assert of_all.stops and [stop.member for stop in of_all.stops] == [stop.member for stop in same.stops]
@@ -178,4 +178,4 @@ def test_what_a_measured_function_raises() -> None:
     with pytest.raises(KeyError):
         made(torques=[DRAG], events=events).at(TIMES)
     with pytest.raises(KeyError):
-        polhode.Ensemble.of([scenario(k, torques=[DRAG], events=events) for k in range(COUNT)]).at(TIMES)
+        polhode.Ensemble.from_scenarios([scenario(k, torques=[DRAG], events=events) for k in range(COUNT)]).at(TIMES)

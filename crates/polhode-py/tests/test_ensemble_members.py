@@ -57,7 +57,7 @@ def require_the_bits_of_each(ensemble: polhode.Ensemble, given: list[dict[str, A
     assert len(ensemble) == len(given) == COUNT and not states.failures
     assert states == ensemble.at(TIMES, threads=1)
     scenarios = [polhode.Scenario(BODIES[k], start=start(k), **given[k]) for k in range(COUNT)]
-    assert polhode.Ensemble.of(scenarios).at(TIMES) == states
+    assert polhode.Ensemble.from_scenarios(scenarios).at(TIMES) == states
     for k, scenario in enumerate(scenarios):
         alone = polhode.simulate(scenario, times=TIMES, error="cheap")
         assert np.array_equal(states.omega[k, 1:], alone.omega[1:]), k
@@ -153,14 +153,14 @@ def test_functions_are_of_all_or_of_each() -> None:
         calls.append(len(member))
         return -0.05 * (1 + member[:, None]) * omega
 
-    shared = FunctionTorque(law=many, vectorized=True)
-    lists = [[shared, *DRAGS[k]] if k % 2 else [FunctionTorque(law=lambda omega, k=k: -0.05 * (1 + k) * omega), *DRAGS[k]] for k in range(COUNT)]
+    shared = FunctionTorque(function=many, vectorized=True)
+    lists = [[shared, *DRAGS[k]] if k % 2 else [FunctionTorque(function=lambda omega, k=k: -0.05 * (1 + k) * omega), *DRAGS[k]] for k in range(COUNT)]
     found = made(torques=lists, pivot=PIVOTS).at(TIMES, tolerance=1e-10)
     assert max(calls) == COUNT // 2
-    alone = [[FunctionTorque(law=lambda omega, k=k: -0.05 * (1 + k) * omega), *DRAGS[k]] for k in range(COUNT)]
+    alone = [[FunctionTorque(function=lambda omega, k=k: -0.05 * (1 + k) * omega), *DRAGS[k]] for k in range(COUNT)]
     assert np.abs(found.omega - made(torques=alone, pivot=PIVOTS).at(TIMES, tolerance=1e-10).omega).max() < 1e-12
     scenarios = [polhode.Scenario(BODIES[k], start=start(k), torques=lists[k], pivot=PIVOTS[k]) for k in range(COUNT)]
-    assert polhode.Ensemble.of(scenarios).at(TIMES, tolerance=1e-10) == found
+    assert polhode.Ensemble.from_scenarios(scenarios).at(TIMES, tolerance=1e-10) == found
 
 
 def test_copies_and_equality() -> None:
@@ -172,10 +172,10 @@ def test_copies_and_equality() -> None:
         assert made(**given | {name: changed}) != one
     assert repr(one) == "Ensemble(11 members)"
     scenarios = [polhode.Scenario(BODIES[k], start=start(k), torques=DRAGS[k]) for k in range(COUNT)]
-    of = polhode.Ensemble.of(scenarios)
-    for other in (copy.deepcopy(of), pickle.loads(pickle.dumps(of)), polhode.Ensemble.of(iter(scenarios))):
+    of = polhode.Ensemble.from_scenarios(scenarios)
+    for other in (copy.deepcopy(of), pickle.loads(pickle.dumps(of)), polhode.Ensemble.from_scenarios(iter(scenarios))):
         assert other == of and len(other) == COUNT and other.at(TIMES) == of.at(TIMES)
-    assert of != polhode.Ensemble.of(scenarios[::-1]) and of != one
+    assert of != polhode.Ensemble.from_scenarios(scenarios[::-1]) and of != one
 
 
 @pytest.mark.parametrize(
@@ -208,13 +208,13 @@ def test_mistakes_are_refused(changed: dict[str, Any], says: str) -> None:
 def test_mistakes_in_kinds_are_refused() -> None:
     many: dict[str, Any] = {"moments": [1.0, 2.0, 2.5], "omega": OMEGA}
     for call, says in (
-        (lambda: made(body="arm.urdf"), "body must be mass properties, or a list of these, not str"),
-        (lambda: made(body=[BODIES[0], INERTIA]), r"body\[1\] must be mass properties, not an array of float64"),
+        (lambda: made(body="arm.urdf"), "body must be MassProperties or a Body, or a list of these, not str"),
+        (lambda: made(body=[BODIES[0], INERTIA]), r"body\[1\] must be MassProperties or a Body, not an array of float64"),
         (lambda: made(torques=[DRAGS[0], 3]), r"torques\[1\] must be a list of Torque, not int"),
         (lambda: made(torques=[*DRAGS[:-1], [WHEELS[2][0]]]), r"torques\[10\]\[0\] must be a polhode.scenario.Torque, not Wheel"),
         (lambda: made(wheels=DRAGS[0]), r"wheels\[0\] must be a polhode.scenario.Wheel, not Drag"),
-        (lambda: polhode.Ensemble.of(BODIES), r"scenarios\[0\] must be a polhode.Scenario, not MassProperties"),
-        (lambda: polhode.Ensemble.of("top.toml"), "scenarios must be a list of polhode.Scenario, not str"),
+        (lambda: polhode.Ensemble.from_scenarios(BODIES), r"scenarios\[0\] must be a polhode.Scenario, not MassProperties"),
+        (lambda: polhode.Ensemble.from_scenarios("top.toml"), "scenarios must be a list of polhode.Scenario, not str"),
         (lambda: polhode.Ensemble(**many, pivot=PIVOTS), "a body that is held at a pivot needs its mass and its centre of mass\nhint: give body"),
         (lambda: polhode.Ensemble(**many, torques=[Gravity(pivot=[0, 0, 1])]), "a body that is held at a pivot needs its mass"),
     ):
@@ -238,11 +238,11 @@ def test_scenarios_that_are_no_members_are_refused() -> None:
         (burn, "member 1: an ensemble and mass_history exclude each other"),
     ):
         with pytest.raises(polhode.PolhodeError, match=says):
-            polhode.Ensemble.of([good, polhode.Scenario.from_toml(text)])
+            polhode.Ensemble.from_scenarios([good, polhode.Scenario.from_toml(text)])
     for run in (Run(duration=1.0, method="dop853"), Run(duration=1.0, tolerance=1e-6)):
         with pytest.raises(polhode.PolhodeError, match=r"member 1: its \[run\] sets a method or a tolerance\nhint: delete it: Ensemble.at has"):
-            polhode.Ensemble.of([good, good.replace(run=run)])
-    assert len(polhode.Ensemble.of([good, good.replace(run=Run(duration=1.0, samples=7, method="auto", tolerance=1e-13))])) == 2
+            polhode.Ensemble.from_scenarios([good, good.replace(run=run)])
+    assert len(polhode.Ensemble.from_scenarios([good, good.replace(run=Run(duration=1.0, samples=7, method="auto", tolerance=1e-13))])) == 2
 
 
 def test_what_is_noticed_is_said_once() -> None:
@@ -250,7 +250,7 @@ def test_what_is_noticed_is_said_once() -> None:
     for call in (
         lambda: made(torques=[off]),
         lambda: made(torques=[[off]] * COUNT),
-        lambda: polhode.Ensemble.of([polhode.Scenario(body, torques=[off]) for body in BODIES]),
+        lambda: polhode.Ensemble.from_scenarios([polhode.Scenario(body, torques=[off]) for body in BODIES]),
     ):
         with pytest.warns(polhode.PolhodeWarning) as heard:
             call()

@@ -135,7 +135,7 @@ def test_a_scenario_with_one_is_a_value(generic: polhode.MassProperties) -> None
 
 
 def test_beside_a_function_torque_and_on_the_ground(generic: polhode.MassProperties) -> None:
-    torque = FunctionTorque(law=lambda omega: -0.05 * omega)
+    torque = FunctionTorque(function=lambda omega: -0.05 * omega)
     motion = polhode.simulate(scenario(generic, Event(measure=lambda omega: omega @ omega, value=2.4**2, name="f"), Event(measure="omega", value=2.4, name="g"), torques=[torque]))
     assert len(motion.events) == 2 and abs(motion.events[0].time - motion.events[1].time) < 1e-12
     ball = polhode.Scenario(

@@ -14,14 +14,14 @@ from polhode.scenario import Burn, ConstantTorque, Contact, Drag, Drop, Event, F
 START = Start(omega=[0.4, -1.1, 2.3], attitude={"quaternion": [0.5, 0.5, -0.5, 0.5]})
 
 
-def both(given: polhode.Scenario, first: float, further: float, samples: int = 7) -> tuple[polhode.Motion, polhode.Motion, polhode.Motion]:
+def both(given: polhode.Scenario, first: float, further: float, samples: int = 7) -> tuple[polhode.results.Motion, polhode.results.Motion, polhode.results.Motion]:
     """A motion, what follows, and the same in one go at the times of both."""
     one = polhode.simulate(given.replace(run=Run(duration=first, samples=samples, method=given.run.method if given.run else None)))
     two = one.extend(further, samples=samples)
     return one, two, polhode.simulate(given, times=np.concatenate([one.times, two.times[1:]]))
 
 
-def agree(one: polhode.Motion, two: polhode.Motion, whole: polhode.Motion, atol: float) -> None:
+def agree(one: polhode.results.Motion, two: polhode.results.Motion, whole: polhode.results.Motion, atol: float) -> None:
     """Both together are the whole."""
     for name in ("omega", "attitude", "momentum", "torque"):
         joined = np.concatenate([getattr(one, name), getattr(two, name)[1:]])
@@ -43,7 +43,7 @@ SCENARIOS: dict[str, dict[str, Any]] = {
         ]
     },
     "wheels": {"wheels": [Wheel(axis=[0, 1, 1], inertia=0.02, speed=100.0, motor_torque=0.05, from_=1.0, until=4.5)], "torques": [Drag(law="quadratic", coefficient=0.02)]},
-    "function": {"torques": [FunctionTorque(law=lambda t, omega: -0.1 * omega + np.array([0.0, 0.2 * np.cos(t), 0.0]))]},
+    "function": {"torques": [FunctionTorque(function=lambda t, omega: -0.1 * omega + np.array([0.0, 0.2 * np.cos(t), 0.0]))]},
     "orbit": {"orbit": Orbit(mu=1.0, position=[1.0, 0.2, 0.0], velocity=[0.1, 0.9, 0.3]), "torques": [polhode.scenario.GravityGradient()]},
 }
 

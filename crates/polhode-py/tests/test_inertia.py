@@ -276,7 +276,7 @@ def test_groups_and_the_table_of_a_robot(examples: Path) -> None:
     table = polhode.link_table(arm, joints={"elbow": "30 deg"})
     whole = polhode.inertia(arm, joints={"elbow": "30 deg"})
     assert [row.link for row in table] == ["base", "upper_arm", "forearm", "camera", "hand", "tool"] and len(table) == 6
-    assert table.rows[5] == polhode.LinkRow("tool", [], 0.0, None, None, None)
+    assert table.rows[5] == polhode.results.LinkRow("tool", [], 0.0, None, None, None)
     assert table.rows[0].shapes == ["box"]
     assert np.array_equal(table.rows[3].inertia, polhode.inertia(arm, link="camera").inertia)
     assert np.array_equal(table.whole.inertia, whole.inertia) and np.array_equal(table.whole.moments, whole.moments)

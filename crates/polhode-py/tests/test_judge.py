@@ -33,7 +33,7 @@ TIMES = np.linspace(0.0, 6.0, 301)
 
 
 @pytest.fixture(scope="module")
-def exact() -> polhode.Motion:
+def exact() -> polhode.results.Motion:
     return polhode.simulate(PUSHED, times=TIMES)
 
 
@@ -62,7 +62,7 @@ def upwards(vectors: np.ndarray) -> np.ndarray:
 
 
 CONJUGATE = np.array([1, -1, -1, -1])
-PLANTED: dict[str, tuple[Callable[[polhode.Motion], dict[str, Any]], dict[str, Any]]] = {
+PLANTED: dict[str, tuple[Callable[[polhode.results.Motion], dict[str, Any]], dict[str, Any]]] = {
     "as polhode": (lambda m: {"attitude": m.attitude, "omega": m.omega}, {}),
     "without omega": (lambda m: {"attitude": m.attitude}, {"omega_axes": None}),
     "xyzw": (lambda m: {"attitude": m.attitude[:, [1, 2, 3, 0]], "omega": m.omega}, {"quaternion": "xyzw"}),
@@ -102,7 +102,7 @@ PLANTED: dict[str, tuple[Callable[[polhode.Motion], dict[str, Any]], dict[str, A
 
 
 @pytest.mark.parametrize("name", PLANTED)
-def test_what_the_numbers_mean_is_found(name: str, exact: polhode.Motion) -> None:
+def test_what_the_numbers_mean_is_found(name: str, exact: polhode.results.Motion) -> None:
     given, differs = PLANTED[name]
     judgement = polhode.judge(PUSHED, **{"times": exact.times, **given(exact)})
     reading = judgement.reading
@@ -123,7 +123,7 @@ def test_what_the_numbers_mean_is_found(name: str, exact: polhode.Motion) -> Non
         assert judgement.omega_error is not None and judgement.omega_error.max() < 1e-12
 
 
-def test_a_scenario_is_judged_as_its_text(exact: polhode.Motion) -> None:
+def test_a_scenario_is_judged_as_its_text(exact: polhode.results.Motion) -> None:
     attitude = exact.states.attitude
     by_text = polhode.judge(PUSHED, times=TIMES, attitude=attitude)
     by_object = polhode.judge(polhode.Scenario.from_toml(PUSHED), times=TIMES, attitude=attitude)
@@ -133,7 +133,7 @@ def test_a_scenario_is_judged_as_its_text(exact: polhode.Motion) -> None:
         polhode.judge(3, times=TIMES, attitude=attitude)  # type: ignore[arg-type]
 
 
-def test_what_is_right_is_said_to_be(exact: polhode.Motion) -> None:
+def test_what_is_right_is_said_to_be(exact: polhode.results.Motion) -> None:
     judgement = polhode.judge(PUSHED, times=exact.times, attitude=exact.attitude, omega=exact.omega)
     assert judgement.is_exact and judgement.largest_attitude_error <= 3 * judgement.exact_to < 1e-11
     assert judgement.growth is None and judgement.causes == []
@@ -141,7 +141,7 @@ def test_what_is_right_is_said_to_be(exact: polhode.Motion) -> None:
     assert "Correct: no error above" in judgement.report() == str(judgement)
 
 
-def test_rotations_are_scalar_last_and_of_body_to_space(exact: polhode.Motion) -> None:
+def test_rotations_are_scalar_last_and_of_body_to_space(exact: polhode.results.Motion) -> None:
     judgement = polhode.judge(PUSHED, times=exact.times, attitude=exact.rotations(), omega=exact.omega)
     assert (judgement.reading.quaternion, judgement.reading.sense) == ("xyzw", "body_to_space")
     assert len(judgement.reading.tried) == 1 and judgement.largest_attitude_error < 1e-12
@@ -151,13 +151,13 @@ def test_rotations_are_scalar_last_and_of_body_to_space(exact: polhode.Motion) -
         polhode.judge(PUSHED, times=exact.times, attitude=exact.rotations(), quaternion="wxyz")
 
 
-def test_single_precision_is_noticed(exact: polhode.Motion) -> None:
+def test_single_precision_is_noticed(exact: polhode.results.Motion) -> None:
     judgement = polhode.judge(PUSHED, times=exact.times, attitude=exact.attitude.astype(np.float32), omega=exact.omega.astype(np.float32))
     assert judgement.to_dict()["runs"][0]["single_precision"]
     assert 1e-9 < judgement.largest_attitude_error < 2e-7 and not judgement.is_exact
 
 
-def test_errors_are_those_that_were_planted(exact: polhode.Motion) -> None:
+def test_errors_are_those_that_were_planted(exact: polhode.results.Motion) -> None:
     """Axes that are turned in the body, by more and more, and an ω that is too large."""
     theta = 1e-3 * np.array([0.4, -0.3, 0.9]) * (1 + TIMES[:, None])
     attitude, omega = product(exact.attitude, turn(theta)), 1.01 * exact.omega
@@ -180,7 +180,7 @@ def test_errors_are_those_that_were_planted(exact: polhode.Motion) -> None:
     assert np.abs(judgement.momentum_direction_error - np.arcsin(sine)).max() < 1e-9
 
 
-def test_the_split_has_what_was_planted(exact: polhode.Motion) -> None:
+def test_the_split_has_what_was_planted(exact: polhode.results.Motion) -> None:
     beta = np.array([0.004, -0.003, 0.009])
     judgement = polhode.judge(PUSHED, times=TIMES, attitude=product(exact.attitude, turn(np.tile(beta, (len(TIMES), 1)))))
     split = judgement.split
@@ -188,7 +188,7 @@ def test_the_split_has_what_was_planted(exact: polhode.Motion) -> None:
     assert list(parts) == ["start", "body_axes", "clock", "rate", "drift"]
     assert parts["body_axes"].unit == "rad" and np.abs(np.array(parts["body_axes"].value) - beta).max() < 1e-10
     assert split.total == pytest.approx(np.linalg.norm(beta), rel=1e-10) and split.rest < 1e-10 and split.until == TIMES[-1]
-    assert judgement.growth is not None and judgement.growth.law == "power" and abs(judgement.growth.exponent) < 0.1
+    assert judgement.growth is not None and judgement.growth.kind == "power" and abs(judgement.growth.exponent) < 0.1
 
 
 def test_a_term_that_is_left_out_is_named() -> None:
@@ -340,10 +340,10 @@ def test_a_judgement_is_that_of_the_command(tmp_path: Path) -> None:
     assert judgement.likeliest is not None and judgement.likeliest.id == "time_shift"
 
 
-def test_arrays_are_to_be_looked_at(exact: polhode.Motion) -> None:
+def test_arrays_are_to_be_looked_at(exact: polhode.results.Motion) -> None:
     judgement = polhode.judge(PUSHED, times=TIMES, attitude=exact.attitude, omega=exact.omega)
     for it in (judgement, pickle.loads(pickle.dumps(judgement))):
-        for name in (name for name, value in vars(polhode.Judgement).items() if isinstance(value, property)):
+        for name in (name for name, value in vars(polhode.results.Judgement).items() if isinstance(value, property)):
             array = getattr(it, name)
             if isinstance(array, np.ndarray):
                 assert len(array) == len(it) == 301

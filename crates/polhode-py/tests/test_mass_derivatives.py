@@ -215,7 +215,7 @@ def test_far_from_the_origin_nothing_is_lost() -> None:
     near(away_mesh.by_vertices, near_by_mesh.by_vertices, 1e-13)
 
 
-def motion_of(ten: np.ndarray) -> polhode.States:
+def motion_of(ten: np.ndarray) -> polhode.results.States:
     return polhode.FreeMotion(inertia=body_of(ten), omega=OMEGA, attitude=ATTITUDE).at([2.0, 5.0])
 
 
@@ -224,7 +224,7 @@ def test_a_free_motion_by_masses_and_vertices() -> None:
     body = built()
     after = polhode.FreeMotion(inertia=body.mass_properties, omega=OMEGA, attitude=ATTITUDE).derivatives([2.0, 5.0])
     by_ten = after.by_mass_properties
-    assert by_ten.shape == (2, 6, 10) and after.mass_properties_columns == polhode.MeshDerivatives.rows
+    assert by_ten.shape == (2, 6, 10) and after.mass_properties_columns == polhode.results.MeshDerivatives.rows
     assert not by_ten[:, :, :4].any() and np.array_equal(by_ten[:, :, 4:], after.by_inertia)
     of = body.derivatives()
     here = motion_of(of.values)
@@ -278,7 +278,7 @@ samples = 4
 
 
 def test_a_pivoted_motion_by_mass_centre_and_tensor() -> None:
-    def run(ten: np.ndarray, derivatives: list[str] | None = None) -> polhode.Motion:
+    def run(ten: np.ndarray, derivatives: list[str] | None = None) -> polhode.results.Motion:
         return polhode.simulate(PIVOTED.format(ten=ten.tolist()), error="cheap", derivatives=derivatives)
 
     values = built().derivatives().values

@@ -17,7 +17,7 @@ PLACE = np.array([0.5, -0.25, 1.5])
 
 def test_a_tensor_about_another_point_comes_back(generic: polhode.MassProperties) -> None:
     point = np.array([-1.0, 0.4, 0.7])
-    about = generic.about(point)
+    about = generic.inertia_about(point)
     assert np.allclose(about, generic.inertia + steiner(2.3, generic.center_of_mass - point), rtol=0, atol=4e-15)
     again = polhode.MassProperties(mass=2.3, center_of_mass=generic.center_of_mass, inertia=about, about=point)
     assert np.allclose(again.inertia, generic.inertia, rtol=0, atol=1e-14)
@@ -50,7 +50,7 @@ def test_placed_and_joined_is_what_the_formula_says(generic: polhode.MassPropert
     assert np.allclose(placed.center_of_mass, PLACE)
     inertia = np.diag([0.1**2 + 0.06**2, 0.2**2 + 0.06**2, 0.2**2 + 0.1**2]) * 1.7 / 12
     assert np.allclose(placed.inertia, r @ inertia @ r.T, rtol=0, atol=1e-17)
-    assert np.allclose(placed.along(turn), inertia, rtol=0, atol=1e-17)
+    assert np.allclose(placed.inertia_along(turn), inertia, rtol=0, atol=1e-17)
 
     both = generic + placed
     center = (2.3 * generic.center_of_mass + 1.7 * PLACE) / 4.0

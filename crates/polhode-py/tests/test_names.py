@@ -15,8 +15,8 @@ HERE = Path(polhode.__file__).parent
 
 
 def test_every_public_name_is_documented() -> None:
-    for name in polhode.__all__:
-        value = getattr(polhode, name)
+    for module, name in [*((polhode, name) for name in polhode.__all__), *((polhode.results, name) for name in polhode.results.__all__)]:
+        value = getattr(module, name)
         if name == "__version__":
             continue
         assert inspect.getdoc(value), name
@@ -27,8 +27,20 @@ def test_every_public_name_is_documented() -> None:
 
 
 def test_every_public_name_is_in_the_reference() -> None:
-    listed = re.findall(r"(?m)^\.\. auto\w+:: polhode\.(\w+)$", (ROOT / "book/site/python-api.rst").read_text())
-    assert sorted(listed) == sorted({*polhode.__all__, "batch", "sweep"} - {"__version__"})
+    listed = re.findall(r"(?m)^\.\. auto\w+:: polhode\.([\w.]+)$", (ROOT / "book/site/python-api.rst").read_text())
+    results = {f"results.{name}" for name in polhode.results.__all__}
+    assert sorted(listed) == sorted({*polhode.__all__, *results, "batch", "sweep"} - {"__version__"})
+
+
+def test_the_top_of_the_package_has_what_users_type() -> None:
+    """Functions, classes that users make, modules, errors: no class of results."""
+    made = {"Body", "Ensemble", "Flight", "FreeMotion", "Knob", "MassProperties", "PolhodeError", "PolhodeWarning", "Scenario"}
+    classes = {name for name in polhode.__all__ if inspect.isclass(getattr(polhode, name))}
+    assert classes == made and not classes & {*polhode.results.__all__}
+    assert {name for name in vars(polhode.results) if not name.startswith("_")} - {"annotations"} == {*polhode.results.__all__}
+    for module in (polhode, polhode.results):
+        own = [getattr(module, name) for name in module.__all__ if inspect.isclass(getattr(module, name))]
+        assert all(value.__module__ == module.__name__ for value in own)
 
 
 def test_types_are_announced() -> None:

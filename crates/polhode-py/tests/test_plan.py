@@ -159,7 +159,7 @@ def test_what_varies_is_looked_at() -> None:
     with pytest.raises(polhode.PolhodeError, match="vary is only for a Scenario"):
         Plan("plan.toml", vary=[Vary(key=RATES[0], relative=0.1)])
     for own in (
-        SCENARIO.replace(torques=[FunctionTorque(law=lambda t: [0.0, 0.0, t])]),
+        SCENARIO.replace(torques=[FunctionTorque(function=lambda t: [0.0, 0.0, t])]),
         SCENARIO.replace(events=[Event(measure=lambda t: t - 1.0)]),
     ):
         with pytest.raises(polhode.PolhodeError, match="cannot be written into a file"):

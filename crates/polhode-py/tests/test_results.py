@@ -31,7 +31,7 @@ def ensemble(last: float = 0.4) -> polhode.Ensemble:
     return polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=[[0.1, 2.0, -0.3], [1.1, 0.2, last]])
 
 
-def top() -> polhode.Motion:
+def top() -> polhode.results.Motion:
     return polhode.simulate(ROOT / "examples" / "heavy-top.toml", times=np.linspace(0.0, 0.25, 6), error="cheap")
 
 
@@ -59,7 +59,7 @@ def test_what_is_equal_is_equal() -> None:
         assert hash(value) == hash(pickle.loads(pickle.dumps(value)))
 
 
-def judged() -> tuple[polhode.Judgement, ...]:
+def judged() -> tuple[polhode.results.Judgement, ...]:
     scenario = '[[body.part]]\nshape = "tensor"\nmass = 1\nmoments = [1, 2, 2.5]\n[start]\nspin = { body = [0.3, -1.2, 0.4] }\n'
     times = np.linspace(0.0, 2.0, 21)
     omega, attitude = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, -1.2, 0.4]).at(times)
@@ -72,7 +72,7 @@ def plans() -> tuple[polhode.batch.Plan, ...]:
     return polhode.batch.Plan(PLAN.format(members=4)), polhode.batch.Plan(PLAN.format(members=4)), polhode.batch.Plan(PLAN.format(members=5))
 
 
-def links() -> tuple[polhode.LinkTable, ...]:
+def links() -> tuple[polhode.results.LinkTable, ...]:
     arm = ROOT / "examples" / "robots" / "arm.urdf"
     return polhode.link_table(arm), polhode.link_table(arm), polhode.link_table(arm, joints={"elbow": 0.3})
 
@@ -80,7 +80,7 @@ def links() -> tuple[polhode.LinkTable, ...]:
 def test_no_table_becomes_another_by_the_constructor_of_pandas() -> None:
     """It would take the elements of an iterator for rows: what has columns names what gives them, and rows that are named tuples are right."""
     motion = top()
-    flights = polhode.Flights([polhode.Flight(times=[0, 0.01], gyro=[[1, 2, 3], [1.1, 1.9, 3]])])
+    flights = polhode.results.Flights([polhode.Flight(times=[0, 0.01], gyro=[[1, 2, 3], [1.1, 1.9, 3]])])
     error = motion.error
     assert error is not None
     for value in (motion, motion.states, error, ensemble().at([0.0, 3.0]), free().at(TIMES), flights):
@@ -146,7 +146,7 @@ def test_texts_are_short() -> None:
     shared = ensemble()
     for thing in (free().at(many), free().at(2.0), free().error(many[:5]), shared.at(many[:1000]), free(), shared, top(), *links()[:1], links()[0][0]):
         assert len(repr(thing)) < 300 and "\n" not in repr(thing), type(thing)
-        if hasattr(thing, "_repr_html_") and not isinstance(thing, (polhode.FreeMotion, polhode.Motion)):
+        if hasattr(thing, "_repr_html_") and not isinstance(thing, (polhode.FreeMotion, polhode.results.Motion)):
             assert len(thing._repr_html_()) < 8000, type(thing)
 
 
@@ -274,7 +274,7 @@ def test_errors_have_parts() -> None:
     error = top().error
     assert error is not None
     part = error[1:3]
-    assert isinstance(part, polhode.MotionError) and len(part) == 2 and (part.omega == error.omega[1:3]).all() and part != error
+    assert isinstance(part, polhode.results.MotionError) and len(part) == 2 and (part.omega == error.omega[1:3]).all() and part != error
     assert error[-1].attitude == error.attitude[-1] and repr(error[-1]).startswith("MotionError(attitude ") and error[:] == error
     with pytest.raises(IndexError):
         error[len(error)]
@@ -285,7 +285,7 @@ def test_every_result_is_shown_in_a_notebook(examples: Path) -> None:
     scenario = polhode.Scenario.from_toml(path)
     shown = {
         "stability": (polhode.stability(path), "<pre>"),
-        "spin": (polhode.spin(moments=[3.0836, 3.235, 1.0], periods=[7.40, 5.38], convention="long"), "<pre>"),
+        "spin": (polhode.spins_from_periods(moments=[3.0836, 3.235, 1.0], periods=[7.40, 5.38], convention="long"), "<pre>"),
         "scenario": (scenario, "<pre>title = &quot;T-handle"),
         "derivatives": (polhode.FreeMotion(moments=[1, 2, 3], omega=[0.1, 1, 0.2]).derivatives([0.0, 1.0]), "array (2, 6, 6)"),
         "particles": (polhode.particle_derivatives(masses=[1.0, 2.0, 3.0], positions=[[0, 0, 1], [1, 0, 0], [0, 2, 0]]), "array (10, 3, 3)"),

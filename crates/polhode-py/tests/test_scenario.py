@@ -213,7 +213,7 @@ def test_what_is_refused_is_named_as_an_argument(generic: polhode.MassProperties
     assert refused(run=Run(duration="3 m")).startswith('run.duration: "m" is a length where a time belongs')
     assert refused(start=Start(omega=[0, 1], velocity=[1, 2, 3])).startswith("start.spin: ")
     assert refused(events=[Event(measure="omega", value=1)]).startswith("events[0]: ")
-    assert _message(lambda: torque(lambda t: [t, 0, 1e400])).startswith("a number of a law = inf")
+    assert _message(lambda: torque(lambda t: [t, 0, 1e400])).startswith("a number of a function = inf")
     assert refused(torques="drag").startswith("torques must be a list of Torque, not str")
     assert refused(torques=[Run(duration=1)]).startswith("torques[0] must be a polhode.scenario.Torque, not Run")
     assert refused(orbit=Orbit(mu=1.0)).startswith("orbit: ")
@@ -244,11 +244,11 @@ def test_a_function_becomes_formulas(generic: polhode.MassProperties) -> None:
     def numbers(t, omega, omega_space, momentum, momentum_space, attitude):  # type: ignore[no-untyped-def]
         return law(t, omega, omega_space, momentum, momentum_space, attitude, 0.5 * omega @ generic.inertia @ omega)
 
-    def motion(acting: scenario.Torque) -> polhode.Motion:
+    def motion(acting: scenario.Torque) -> polhode.results.Motion:
         start = Start(attitude={"euler313": [0.3, 0.8, -0.4]}, omega=[0.5, -1.0, 2.0])
         return polhode.simulate(polhode.Scenario(generic, start=start, torques=[acting], run=Run(duration=4, samples=5)), error="cheap")
 
-    traced, called = motion(torque(law)), motion(FunctionTorque(law=numbers))
+    traced, called = motion(torque(law)), motion(FunctionTorque(function=numbers))
     assert [each.summary["run"]["method_used"] for each in (traced, called)] == ["taylor", "dop853"]
     assert np.abs(traced.omega - called.omega).max() < 1e-11 and np.abs(traced.attitude - called.attitude).max() < 1e-11
     assert np.abs(traced.omega[-1] - traced.omega[0]).max() > 0.1
@@ -282,17 +282,17 @@ def test_a_law_of_numbers_raises_its_own_error(generic: polhode.MassProperties) 
     def law(t: float) -> list[float]:
         raise ZeroDivisionError("of my own")
 
-    made = polhode.Scenario(generic, torques=[FunctionTorque(law=law)], run=Run(duration=1.0, samples=2))
+    made = polhode.Scenario(generic, torques=[FunctionTorque(function=law)], run=Run(duration=1.0, samples=2))
     with pytest.raises(ZeroDivisionError, match="of my own") as caught:
         polhode.simulate(made)
     assert any(entry.name == "law" for entry in caught.traceback)
     with pytest.raises(polhode.PolhodeError, match="shape"):
-        polhode.simulate(made.replace(torques=[FunctionTorque(law=lambda t: [1.0, 2.0])]))
+        polhode.simulate(made.replace(torques=[FunctionTorque(function=lambda t: [1.0, 2.0])]))
     assert "cannot be written into a file" in _message(made.to_toml)
     # Nor does a page show a text that says something else.
-    still = polhode.simulate(made.replace(torques=[FunctionTorque(law=lambda t: [0.0, 0.0, t])]))
+    still = polhode.simulate(made.replace(torques=[FunctionTorque(function=lambda t: [0.0, 0.0, t])]))
     assert 'model = \\"constant\\"' not in still.page()
-    assert "use the time t" in _message(lambda: FunctionTorque(law=law, until=2.0))
+    assert "use the time t" in _message(lambda: FunctionTorque(function=law, until=2.0))
 
 
 def test_ensembles_have_torques_as_objects() -> None:
@@ -301,7 +301,7 @@ def test_ensembles_have_torques_as_objects() -> None:
     text = '[[torque]]\nmodel = "drag"\nlaw = "linear"\ncoefficient = 0.15\n'
     one, other = (polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques=torques).at([0.0, 3.0]) for torques in (given, text))
     assert np.abs(one.omega - other.omega).max() < 1e-13
-    law = FunctionTorque(law=lambda omega: -0.15 * omega)
+    law = FunctionTorque(function=lambda omega: -0.15 * omega)
     called = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques=[law]).at([0.0, 3.0])
     assert np.abs(one.omega - called.omega).max() < 1e-12
 

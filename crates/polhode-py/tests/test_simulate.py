@@ -19,7 +19,7 @@ def test_arrays_agree_with_each_other(examples: Path) -> None:
     r = motion.rotations()
     assert np.abs(r.apply(motion.omega) - motion.omega_space).max() < 1e-12
     inertia = polhode.inertia(examples / "heavy-top.toml")
-    about = inertia.about([0, 0, 0])
+    about = inertia.inertia_about([0, 0, 0])
     assert np.abs(r.apply(motion.omega @ about) - motion.momentum).max() < 1e-15
     assert np.allclose(0.5 * (motion.omega * (motion.omega @ about)).sum(axis=1), motion.kinetic_energy, rtol=1e-13)
     weight = np.array([0, 0, -9.80665]) * inertia.mass

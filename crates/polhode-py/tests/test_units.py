@@ -42,7 +42,7 @@ TEXTS = {"pivot", "joints", "center", "numbers", "tests"}
 def public() -> Iterator[Callable[..., object]]:
     """What users call: functions, classes that they make, and the methods of all."""
     made = (polhode.MassProperties, polhode.Body, polhode.FreeMotion, polhode.Ensemble, polhode.Scenario, polhode.Flight, polhode.batch.Plan)
-    for module in (polhode, shapes, plot, polhode.batch, polhode.sweep):
+    for module in (polhode, polhode.results, shapes, plot, polhode.batch, polhode.sweep):
         own = [name for name, value in vars(module).items() if not name.startswith("_") and getattr(value, "__module__", "") == module.__name__]
         names = getattr(module, "__all__", own)
         for value in (vars(module)[name] for name in names):
@@ -81,10 +81,10 @@ def quantities(value: Any, dimension: Dimension) -> tuple[Any, Any]:
 def more() -> Iterator[tuple[Callable[..., Any], dict[str, Any], Callable[[Any], Any]]]:
     """Functions that the tests of arguments do not call, with arguments that are right, and what numbers they give."""
     day = 86_400.0
-    yield polhode.spin, {"moments": [3.0836, 3.235, 1.0], "periods": [7.4 * day, 5.38 * day], "convention": "long"}, lambda found: found[0].omega
+    yield polhode.spins_from_periods, {"moments": [3.0836, 3.235, 1.0], "periods": [7.4 * day, 5.38 * day], "convention": "long"}, lambda found: found[0].omega
     body = "[[body.part]]\nshape = 'tensor'\nmass = 1\nmoments = [1, 2, 2.5]\n"
     given = {"times": [0.0, 1.0], "masses": [0.5], "positions": [[0.1, 0.0, 0.2]]}
-    yield polhode.torque, {"scenario": f"{body}[prescribed]\naxis = [0, 3, 4]\nrate = 2\n", **given}, lambda found: found.forces
+    yield polhode.required_torque, {"scenario": f"{body}[prescribed]\naxis = [0, 3, 4]\nrate = 2\n", **given}, lambda found: found.forces
     thrown = polhode.FreeMotion(moments=[1, 2, 2.5], omega=[0.3, -1.2, 0.4])
     times = np.linspace(0.0, 4.0, 201)
     omega, attitude = thrown.at(times)
@@ -126,7 +126,7 @@ def more() -> Iterator[tuple[Callable[..., Any], dict[str, Any], Callable[[Any],
 LENGTHS = {"size", "radius", "inner_radius", "length", "base_radius", "top_radius", "height", "semi_axes", "ring_radius", "tube_radius", "vertices"}
 
 #: Arguments that other tests here give: of meshes and flights, of grids and tables of files, which come the same way as those beside them, and of JAX's functions.
-ELSEWHERE = {"source", "shell", "weld", "fill", "added", "a wheel's momentum", "a wheel's axis", "the torque of a law", "attitude_times", "unit", "mass_unit"}
+ELSEWHERE = {"source", "shell", "weld", "fill", "added", "a wheel's momentum", "a wheel's axis", "the torque of a function", "attitude_times", "unit", "mass_unit"}
 ELSEWHERE |= {"spacing", "origin", "per_value", "axes", "centers_of_mass", "inertias", "worker_timeout"}
 
 
@@ -138,13 +138,13 @@ def numbers_of(found: Any) -> np.ndarray:
         return np.concatenate([found.moments, found.momentum, found.at(0.7).attitude])
     if isinstance(found, polhode.Ensemble):
         return np.concatenate([part.ravel() for part in found.at([0.0, 0.7])])
-    if isinstance(found, polhode.Motion):
+    if isinstance(found, polhode.results.Motion):
         return np.concatenate([found.times, found.omega.ravel()])
     if isinstance(found, tuple):
         return np.concatenate([np.ravel(part) for part in found if part is not None])
-    if isinstance(found, polhode.EnsembleStates):
+    if isinstance(found, polhode.results.EnsembleStates):
         return np.concatenate([part.ravel() for part in found])
-    if isinstance(found, polhode.MotionError):
+    if isinstance(found, polhode.results.MotionError):
         return np.concatenate([np.ravel(part) for part in found])
     return np.array([]) if isinstance(found, (str, type(None))) else np.ravel(found) if isinstance(found, (np.ndarray, float)) else np.array([])
 
@@ -176,6 +176,51 @@ def test_arguments_take_quantities_of_their_own_kind_alone() -> None:
                 assert dimension.unit in str(error.value)
             seen.add(name)
     assert compared > 150 and {*DIMENSIONS} - seen == ELSEWHERE
+
+
+@pytest.mark.filterwarnings("ignore::polhode.PolhodeWarning")
+def test_arguments_take_text_with_a_unit() -> None:
+    """Of all functions that the tests of arguments call: the same number, to the bit where the unit is a power of ten."""
+    compared = 0
+    tried = [(function, right, numbers_of) for function, right in functions().items() if function is not polhode.sweep.run]
+    for function, right, numbers in [*tried, *more()]:
+        expected = numbers(function(**right))
+        for name, value in right.items():
+            dimension = dimension_of(name)
+            if dimension in (None, NUMBER) or value is None or name in ("unit", "source") or isinstance(value, polhode.MassProperties):
+                continue
+            if function is polhode.find_flights and name == "torque":
+                continue
+            unit = dimension.unit.replace("·", " ")
+            text = np.vectorize(lambda number: f"{float(number)!r} {unit}", otypes=[object])(np.asarray(value, float)).tolist()
+            found = numbers(function(**right | {name: text}))
+            compared += found.size > 0
+            assert np.array_equal(found, expected, equal_nan=True), f"{function.__qualname__}({name})"
+            wrong = np.vectorize(lambda number: f"{float(number)!r} kg^2 m", otypes=[object])(np.asarray(value, float)).tolist()
+            with pytest.raises(polhode.PolhodeError, match=rf"^{name}(\[\d+\])* = '.* kg\^2 m': \"kg\^2 m\" is .* where {dimension.words} belongs"):
+                function(**right | {name: wrong})
+                pytest.fail(f"{function.__qualname__}({name}) takes it")
+    assert compared > 100
+
+
+def test_text_without_a_unit_is_refused(generic: polhode.MassProperties) -> None:
+    body = shapes.sphere(radius="2 cm", mass="500 g")
+    assert body == shapes.sphere(radius=0.02, mass=0.5)
+    placed = body.placed(position=[0, "-25.4 mm", "1 in"])
+    assert placed.center_of_mass.tolist() == [0.0, -0.0254, 0.0254]
+    for given, error, says in (
+        (lambda: shapes.sphere(radius="2", mass=1.0), TypeError, "radius must be a real number, not text without a unit, such as m"),
+        (lambda: shapes.sphere(radius="wide", mass=1.0), TypeError, "radius must be a real number, not text without a unit, such as m"),
+        (lambda: shapes.sphere(radius="2 cmm", mass=1.0), polhode.PolhodeError, "radius = '2 cmm': unknown unit \"cmm\"\nhint: did you mean cm?"),
+        (lambda: shapes.sphere(radius="-2 cm", mass=1.0), polhode.PolhodeError, "-0.02"),
+        (lambda: generic.placed(position=["1 cm", 2.0, 0]), polhode.PolhodeError, r"position\[1\] has no unit, but other elements have one"),
+        (lambda: generic.placed(position=["1 cm", "2", 0]), TypeError, "position must be real numbers, not text"),
+        (lambda: generic.placed(position=["1 cm", False, 0]), TypeError, r"position\[1\] = False must be a number, not a truth value"),
+        (lambda: generic.inertia_along(["1 rad", 0, 0, 0]), TypeError, "rotation must be real numbers, not text"),
+        (lambda: polhode.find_flights(times=[0.0, 1.0], gyro=np.eye(2, 3), torque="0.1 N m"), polhode.PolhodeError, "torque must be a plain number, but has a unit"),
+    ):
+        with pytest.raises(error, match=says):
+            given()
 
 
 def test_meshes() -> None:
@@ -224,8 +269,8 @@ def test_tables_of_scenarios(generic: polhode.MassProperties) -> None:
     assert np.allclose(polhode.simulate(given).omega, polhode.simulate(plain).omega, rtol=1e-11, atol=0)
     with pytest.raises(polhode.PolhodeError, match=r"torques\[0\].coefficient: .* is an energy or a torque where a torque per angular velocity belongs"):
         given.replace(torques=[scenario.Drag(law="linear", coefficient=2.0 * PINT.newton * PINT.meter)])
-    pushed = given.replace(torques=[scenario.FunctionTorque(law=lambda t: np.array([0.0, 0.1, 0.0]) * PINT.newton * PINT.meter)])
-    plain = given.replace(torques=[scenario.FunctionTorque(law=lambda t: [0.0, 0.1, 0.0])])
+    pushed = given.replace(torques=[scenario.FunctionTorque(function=lambda t: np.array([0.0, 0.1, 0.0]) * PINT.newton * PINT.meter)])
+    plain = given.replace(torques=[scenario.FunctionTorque(function=lambda t: [0.0, 0.1, 0.0])])
     assert np.array_equal(polhode.simulate(pushed, times=[0.0, 1.0]).omega, polhode.simulate(plain, times=[0.0, 1.0]).omega)
     swung = {"value": 3.2 * PINT.kilogram, "sd": 1.0 * astropy.g}
     with pytest.raises(polhode.PolhodeError, match="where a mass belongs"):

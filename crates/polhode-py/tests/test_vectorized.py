@@ -46,8 +46,8 @@ def many(t: Any, omega: Any, omega_space: Any, momentum: Any, momentum_space: An
 def test_one_call_is_what_many_are(axes: str) -> None:
     """With a built-in torque beside it that begins and ends on the way."""
     push = ConstantTorque(axes="body", torque=[0.1, -0.2, 0.05], from_=0.5, until=2.5)
-    alone = ensemble(push, FunctionTorque(law=one, axes=axes)).at(TIMES, tolerance=1e-8)
-    together = ensemble(push, FunctionTorque(law=many, axes=axes, vectorized=True)).at(TIMES, tolerance=1e-8)
+    alone = ensemble(push, FunctionTorque(function=one, axes=axes)).at(TIMES, tolerance=1e-8)
+    together = ensemble(push, FunctionTorque(function=many, axes=axes, vectorized=True)).at(TIMES, tolerance=1e-8)
     assert not alone.failures and not together.failures
     assert np.abs(together.omega - alone.omega).max() < 1e-12 and np.abs(together.attitude - alone.attitude).max() < 1e-12
     # What they are: one of them by the formula, which Taylor's method integrates.
@@ -65,7 +65,7 @@ def test_calls_are_few_and_members_known() -> None:
         assert member.dtype.kind in "iu" and (np.diff(member) > 0).all()
         return -STRENGTH[member, None] * omega
 
-    found = polhode.Ensemble(moments=[2.0, 2.0, 2.0], omega=OMEGA, torques=[FunctionTorque(law=drag, vectorized=True)]).at(TIMES)
+    found = polhode.Ensemble(moments=[2.0, 2.0, 2.0], omega=OMEGA, torques=[FunctionTorque(function=drag, vectorized=True)]).at(TIMES)
     expected = OMEGA[:, None] * np.exp(-STRENGTH[:, None, None] * np.array(TIMES)[:, None] / 2.0)
     assert np.abs(found.omega - expected).max() < 1e-12 and seen == set(range(COUNT))
     assert calls[:2] == [COUNT, 1] and sum(calls) > 10 * len(calls)
@@ -77,7 +77,7 @@ def test_simulate_calls_it_for_one(generic: polhode.MassProperties) -> None:
         polhode.simulate(
             polhode.Scenario(generic, start=Start(omega=[0.3, -1.0, 0.4]), torques=[torque], run=Run(duration=2.0, samples=3)), error="cheap"
         )
-        for torque in (FunctionTorque(law=one), FunctionTorque(law=many, vectorized=True))
+        for torque in (FunctionTorque(function=one), FunctionTorque(function=many, vectorized=True))
     ]
     assert np.abs(found[0].omega - found[1].omega).max() < 1e-12
 
@@ -91,17 +91,17 @@ def test_what_it_raises_keeps_its_traceback() -> None:
     def early(omega: Any) -> Any:
         return omega / [][0]
 
-    made = ensemble(FunctionTorque(law=late, vectorized=True))
+    made = ensemble(FunctionTorque(function=late, vectorized=True))
     for _ in range(2):  # and a second time
         with pytest.raises(ZeroDivisionError, match="too late") as raised:
             made.at(TIMES)
         assert "late" in [frame.name for frame in traceback.extract_tb(raised.value.__traceback__)]
     assert len(made.at([0.0, 0.01])) == COUNT
     with pytest.raises(IndexError) as wrong:
-        ensemble(FunctionTorque(law=early, vectorized=True))
+        ensemble(FunctionTorque(function=early, vectorized=True))
     assert "early" in [frame.name for frame in traceback.extract_tb(wrong.value.__traceback__)]
     with pytest.raises(ZeroDivisionError):
-        ensemble(FunctionTorque(law=lambda t: 1 / 0))
+        ensemble(FunctionTorque(function=lambda t: 1 / 0))
 
 
 def test_what_is_refused() -> None:
@@ -112,15 +112,15 @@ def test_what_is_refused() -> None:
         (lambda omega: omega * np.nan, "member 0: .*not finite|member 0: "),
     ):
         with pytest.raises(polhode.PolhodeError, match=says):
-            ensemble(FunctionTorque(law=law, vectorized=True))
-    with pytest.raises(TypeError, match="the torque of a law must be real numbers"):
-        ensemble(FunctionTorque(law=lambda omega: omega * 1j, vectorized=True))
-    with pytest.raises(polhode.PolhodeError, match="a law has the parameter member"):
-        FunctionTorque(law=lambda member: member)
+            ensemble(FunctionTorque(function=law, vectorized=True))
+    with pytest.raises(TypeError, match="the torque of a function must be real numbers"):
+        ensemble(FunctionTorque(function=lambda omega: omega * 1j, vectorized=True))
+    with pytest.raises(polhode.PolhodeError, match="the function has the parameter member"):
+        FunctionTorque(function=lambda member: member)
     with pytest.raises(polhode.PolhodeError, match="does not receive kinetic_energy"):
-        FunctionTorque(law=lambda kinetic_energy: [0, 0, 0])
+        FunctionTorque(function=lambda kinetic_energy: [0, 0, 0])
     with pytest.raises(TypeError, match="FunctionTorque.vectorized must be True or False, not str"):
-        FunctionTorque(law=many, vectorized="yes")
+        FunctionTorque(function=many, vectorized="yes")
 
 
 def test_a_member_that_cannot_go_on() -> None:
@@ -128,15 +128,15 @@ def test_a_member_that_cannot_go_on() -> None:
         return np.where(((member == 3) & (t > 1.0))[:, None], np.nan, -0.1 * omega)
 
     with pytest.warns(polhode.PolhodeWarning, match="1 of 37 members failed; the first is 3"):
-        found = ensemble(FunctionTorque(law=partial, vectorized=True)).at(TIMES, tolerance=1e-9)
+        found = ensemble(FunctionTorque(function=partial, vectorized=True)).at(TIMES, tolerance=1e-9)
     assert [failure.member for failure in found.failures] == [3] and found.failures[0].time == 0.3
-    whole = ensemble(FunctionTorque(law=lambda omega: -0.1 * omega, vectorized=True)).at(TIMES, tolerance=1e-9)
+    whole = ensemble(FunctionTorque(function=lambda omega: -0.1 * omega, vectorized=True)).at(TIMES, tolerance=1e-9)
     others = np.arange(COUNT) != 3
     assert np.array_equal(found.omega[others], whole.omega[others]) and np.isfinite(found.omega).all()
 
 
 def test_copies() -> None:
-    made = ensemble(FunctionTorque(law=many, vectorized=True))
+    made = ensemble(FunctionTorque(function=many, vectorized=True))
     for other in (copy.deepcopy(made), pickle.loads(pickle.dumps(made))):
         assert other == made and np.array_equal(other.at(TIMES, tolerance=1e-8).omega, made.at(TIMES, tolerance=1e-8).omega)
-    assert made != ensemble(FunctionTorque(law=one)) and made != ensemble()
+    assert made != ensemble(FunctionTorque(function=one)) and made != ensemble()

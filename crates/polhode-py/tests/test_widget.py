@@ -114,7 +114,7 @@ def test_values_are_set_in_python(racket: polhode.Scenario) -> None:
 def test_functions_of_python_stay() -> None:
     scenario = polhode.Scenario(
         Part(shape="box", size=["20 cm", "13 cm", "3 cm"], mass="0.6 kg"),
-        torques=[FunctionTorque(law=lambda t: [0.0, 0.0, 1e-3])],
+        torques=[FunctionTorque(function=lambda t: [0.0, 0.0, 1e-3])],
         start=Start(omega=[0, 0, 0]),
         run=Run(duration=2, samples=21),
     )
@@ -135,7 +135,7 @@ def test_what_a_function_raises_is_shown() -> None:
         return [0.0, 0.0, 0.0]
 
     scenario = polhode.Scenario(
-        Part(shape="box", size=[0.2, 0.1, 0.03], mass=0.6), torques=[FunctionTorque(law=law)], start=Start(omega=[0, 0, 0.5]), run=Run(duration=1, samples=11)
+        Part(shape="box", size=[0.2, 0.1, 0.03], mass=0.6), torques=[FunctionTorque(function=law)], start=Start(omega=[0, 0, 0.5]), run=Run(duration=1, samples=11)
     )
     widget = polhode.widget(scenario, ["start.omega[2]"])
     widget.asked = {"turn": 1, "values": {"start.spin.body[2]": 2.0}}

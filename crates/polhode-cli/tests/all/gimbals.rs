@@ -62,7 +62,7 @@ fn what_does_not_know_gimbals_says_so() {
     scratch.write("run.csv", "time_s,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0.8,0,0\n");
     for (arguments, why) in [
         (&["explain", &compass][..], "the body hangs in gimbals: worked solutions cover bodies that"),
-        (&["stability", &compass], "hangs its body in gimbals"),
+        (&["stability", &compass], "is in gimbals"),
         (&["spin", &compass], "is not a free motion: the body hangs in gimbals"),
         (&["judge", &compass, "run.csv"], "the scenario's body is in gimbals"),
         (&["torque", &compass], "its motion is computed, not given"),

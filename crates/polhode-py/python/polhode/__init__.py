@@ -10,15 +10,16 @@
   mass properties estimated from measured motion
 - :class:`Scenario`, :mod:`scenario`: one body, its start and its torques; :func:`simulate`: its
   motion; :func:`judge`: accuracy of a motion that another program computed
-- :func:`stability`: steady motions and their stability; :func:`torque`: torque that a prescribed
-  motion requires; :func:`spin`: free motion from two measured periods; :func:`explain`: the worked
-  solution
+- :func:`stability`: steady motions and their stability; :func:`required_torque`: torque that a
+  prescribed motion requires; :func:`spins_from_periods`: spins with two measured periods;
+  :func:`explain`: the worked solution
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: parameter
   sweeps, on one machine or on clusters
 - :func:`check`: checks of the inertias of a robot model; :func:`link_table`, :func:`fixed_groups`:
   its links as bodies
 - :mod:`plot`: figures (requires Matplotlib); :func:`widget`: an interactive motion with sliders in
   a notebook
+- :mod:`polhode.results`: classes of what functions return
 
 SI units: m, kg, s, rad, N·m, J. Quaternions are scalar first (w, x, y, z), Hamilton convention, and
 take body components to space components. ω is given in body axes. Off-diagonal elements of an
@@ -28,129 +29,46 @@ any type are accepted if their values are exact in float64.
 
 from __future__ import annotations
 
-from types import FunctionType as _Function
+from typing import TYPE_CHECKING
 
-from . import plot, scenario, shapes
+from . import plot, results, scenario, shapes
 from ._body import Body
-from ._budget import Budget, BudgetCase, BudgetLimit, BudgetRow, ErrorShare, budget
-from ._check import CheckReport, ModelFinding, check
-from ._derivatives import Derivatives, EventDerivatives
+from ._budget import budget
+from ._check import check
+from ._deprecated import warn_of_name as _warn_of_name
 from ._ensemble import Ensemble
-from ._ensemble_states import EnsembleStates, Failure, Stop
 from ._error import PolhodeError, PolhodeWarning
-from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
-from ._explain import Explanation, explain
+from ._explain import explain
 from ._flight import Flight
-from ._flights import Flights, find_flights
+from ._flights import find_flights
 from ._free_motion import FreeMotion
-from ._identified import (
-    Edge,
-    FlightFit,
-    LeftOut,
-    PayloadResult,
-    SwingFit,
-    SwingResult,
-    Thin,
-    TumbleResult,
-    Unconstrained,
-)
 from ._identify import identify, identify_payload, identify_swings, identify_tumbles
 from ._inertia import inertia
 from ._judge import judge
-from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading
 from ._knob import Knob
 from ._live import widget
-from ._mass_derivatives import (
-    BodyDerivatives,
-    MeshDerivatives,
-    ParticleDerivatives,
-    mesh_derivatives,
-    particle_derivatives,
-)
-from ._mass_properties import Finding, MassProperties, particles
-from ._motion import Ending, Event, Motion
+from ._mass_derivatives import mesh_derivatives, particle_derivatives
+from ._mass_properties import MassProperties, particles
 from ._native import VERSION as __version__
-from ._robot import LinkRow, LinkTable, fixed_groups, link_table
+from ._public import place
+from ._robot import fixed_groups, link_table
 from ._scenario import Scenario
 from ._simulate import simulate
-from ._spin import Tumbling, TumblingSpin, spin
-from ._stability import (
-    Equilibrium,
-    Oscillation,
-    Stability,
-    SteadyMotions,
-    SteadyOnGround,
-    SteadyRotation,
-    stability,
-)
-from ._states import MotionError, States
+from ._spin import spins_from_periods
+from ._stability import stability
 from ._substance import materials
-from ._torque import RequiredTorque, torque
+from ._torque import required_torque
 
 __all__ = [
     "Body",
-    "BodyDerivatives",
-    "Budget",
-    "BudgetCase",
-    "BudgetLimit",
-    "BudgetRow",
-    "Cause",
-    "CheckReport",
-    "Derivatives",
-    "Edge",
-    "Ending",
     "Ensemble",
-    "EnsembleStates",
-    "Equilibrium",
-    "ErrorGrowth",
-    "ErrorPart",
-    "ErrorShare",
-    "ErrorSplit",
-    "Estimate",
-    "Event",
-    "EventDerivatives",
-    "Explanation",
-    "Failure",
-    "Finding",
     "Flight",
-    "FlightFit",
-    "Flights",
     "FreeMotion",
-    "Judgement",
     "Knob",
-    "LeftOut",
-    "LinkRow",
-    "LinkTable",
     "MassProperties",
-    "MeshDerivatives",
-    "ModelFinding",
-    "Motion",
-    "MotionError",
-    "Number",
-    "Oscillation",
-    "ParticleDerivatives",
-    "PayloadResult",
     "PolhodeError",
     "PolhodeWarning",
-    "PrincipalEstimate",
-    "Reading",
-    "RequiredTorque",
-    "ResidualTest",
     "Scenario",
-    "Stability",
-    "States",
-    "SteadyMotions",
-    "SteadyOnGround",
-    "SteadyRotation",
-    "Stop",
-    "SwingFit",
-    "SwingResult",
-    "Thin",
-    "TriedReading",
-    "TumbleResult",
-    "Tumbling",
-    "TumblingSpin",
-    "Unconstrained",
     "__version__",
     "budget",
     "check",
@@ -169,88 +87,51 @@ __all__ = [
     "particle_derivatives",
     "particles",
     "plot",
+    "required_torque",
+    "results",
     "scenario",
     "shapes",
     "simulate",
-    "spin",
+    "spins_from_periods",
     "stability",
-    "torque",
     "widget",
 ]
 
+place(__name__, Body, Ensemble, Flight, FreeMotion, Knob, MassProperties, PolhodeError, PolhodeWarning, Scenario)
+del place
 
-def _named(public: type) -> None:
-    """Sets the public module name of a class and its methods, for messages and pickling."""
-    public.__module__ = __name__
-    for name, member in vars(public).items():
-        if isinstance(member, _Function) and not name.startswith("_"):
-            member.__module__ = __name__
+if TYPE_CHECKING:
+    from .results import (
+        BodyDerivatives as BodyDerivatives, Budget as Budget, BudgetCase as BudgetCase, BudgetLimit as BudgetLimit,
+        BudgetRow as BudgetRow, Cause as Cause, CheckReport as CheckReport, Derivatives as Derivatives, Edge as Edge,
+        Ending as Ending, EnsembleStates as EnsembleStates, Equilibrium as Equilibrium, ErrorGrowth as ErrorGrowth,
+        ErrorPart as ErrorPart, ErrorShare as ErrorShare, ErrorSplit as ErrorSplit, Estimate as Estimate,
+        EventDerivatives as EventDerivatives, Explanation as Explanation, Failure as Failure, Finding as Finding,
+        FlightFit as FlightFit, Flights as Flights, Judgement as Judgement, LeftOut as LeftOut, LinkRow as LinkRow,
+        LinkTable as LinkTable, MeshDerivatives as MeshDerivatives, ModelFinding as ModelFinding, Motion as Motion,
+        MotionError as MotionError, Number as Number, Oscillation as Oscillation,
+        ParticleDerivatives as ParticleDerivatives, PayloadResult as PayloadResult,
+        PrincipalEstimate as PrincipalEstimate, Reading as Reading, RequiredTorque as RequiredTorque,
+        ResidualTest as ResidualTest, Stability as Stability, States as States, SteadyMotions as SteadyMotions,
+        SteadyOnGround as SteadyOnGround, SteadyRotation as SteadyRotation, Stop as Stop, SwingFit as SwingFit,
+        SwingResult as SwingResult, Thin as Thin, TriedReading as TriedReading, TumbleResult as TumbleResult,
+        Tumbling as Tumbling, TumblingSpin as TumblingSpin, Unconstrained as Unconstrained,
+    )
 
+    Event = results.EventOccurrence
+    spin = spins_from_periods
+    torque = required_torque
+else:
+    #: Present names by former ones.
+    _FORMER = {
+        **{name: f"results.{name}" for name in results.__all__ if name != "EventOccurrence"},
+        **{"Event": "results.EventOccurrence", "spin": "spins_from_periods", "torque": "required_torque"},
+    }
 
-for _public in (
-    Body,
-    BodyDerivatives,
-    Budget,
-    BudgetCase,
-    BudgetLimit,
-    BudgetRow,
-    Cause,
-    CheckReport,
-    Derivatives,
-    Edge,
-    Ending,
-    Ensemble,
-    EnsembleStates,
-    Equilibrium,
-    ErrorGrowth,
-    ErrorPart,
-    ErrorShare,
-    ErrorSplit,
-    Estimate,
-    Event,
-    EventDerivatives,
-    Explanation,
-    Failure,
-    Finding,
-    Flight,
-    FlightFit,
-    Flights,
-    FreeMotion,
-    Judgement,
-    Knob,
-    LeftOut,
-    LinkRow,
-    LinkTable,
-    MassProperties,
-    MeshDerivatives,
-    ModelFinding,
-    Motion,
-    MotionError,
-    Number,
-    Oscillation,
-    ParticleDerivatives,
-    PayloadResult,
-    PolhodeError,
-    PolhodeWarning,
-    PrincipalEstimate,
-    Reading,
-    RequiredTorque,
-    ResidualTest,
-    Scenario,
-    Stability,
-    States,
-    SteadyMotions,
-    SteadyOnGround,
-    SteadyRotation,
-    Stop,
-    SwingFit,
-    SwingResult,
-    Thin,
-    TriedReading,
-    TumbleResult,
-    Tumbling,
-    TumblingSpin,
-    Unconstrained,
-):
-    _named(_public)
-del _public, _named
+    def __getattr__(name: str) -> object:
+        """Returns the object of a former name, with a warning."""
+        if name not in _FORMER:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        _warn_of_name(f"polhode.{name}", f"polhode.{_FORMER[name]}")
+        place, _, own = _FORMER[name].rpartition(".")
+        return getattr(results, own) if place else globals()[own]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Mapping, Sequence
 
 from . import _arrays, _section
-from ._computed_law import computed, computed_of_many, measured, needs_momentum
+from ._computed_function import computed, computed_of_many, measured, needs_momentum
 from ._error import PolhodeError
 from ._section import Section
 from .scenario import Event, FunctionTorque, Orbit, Torque, Wheel
@@ -57,11 +57,11 @@ class Functions:
 
     def _torque(self, torque: FunctionTorque) -> int:
         functions, _ = self.native
-        key = (id(torque.law), torque.axes, torque.vectorized)
+        key = (id(torque.function), torque.axes, torque.vectorized)
         if key not in self._known:
             self._known[key] = len(functions)
-            law = computed_of_many(torque.law) if torque.vectorized else computed(torque.law)
-            functions.append((torque.axes == "space", law, torque.vectorized))
+            called = computed_of_many(torque.function) if torque.vectorized else computed(torque.function)
+            functions.append((torque.axes == "space", called, torque.vectorized))
         return self._known[key]
 
     def _measure(self, measure: Callable[..., Any]) -> int:

@@ -66,7 +66,9 @@ def real(name: str, value: object, what: str = "real numbers") -> Floats:
         return np.require(array, np.float64, ["C", "A"]).reshape(array.shape)
     if kind == "O":
         _look(name, array.flat, ())
-    raise TypeError(f"{name} must be {what}, not {described(array, 'float')}")
+    dimension = _units.dimension_of(name) if kind == "U" else None
+    unit = "" if dimension in (None, _units.NUMBER) else f" without a unit, such as {dimension.unit}"
+    raise TypeError(f"{name} must be {what}, not {described(array, 'float')}{unit}")
 
 
 def _array(name: str, value: object, what: str, rule: str = INEXACT) -> npt.NDArray[Any]:
@@ -117,12 +119,17 @@ def _in_si(name: str, value: Any) -> Any:
 
     >>> _in_si("omega", [1.0, 2.0, 3.0])
     [1.0, 2.0, 3.0]
+    >>> _in_si("radius", "25.4 mm"), _in_si("position", [0, "-2 cm", "1 in"])
+    (0.0254, [0, -0.02, 0.0254])
     """
     if type(value).__module__.startswith("xarray") and _units.has_units(value.data):
         value = value.data
-    if not _units.has_units(value):
+    has_units = _units.has_units(value)
+    if not has_units and not _units.has_text(value):
         return value
     dimension = _units.dimension_of(name)
+    if not has_units and dimension in (None, _units.NUMBER):
+        return value  # text, which the caller refuses
     if dimension is None:
         raise TypeError(f"{name} has a unit, but it is not one physical quantity: give plain numbers")
     return _numbers(name, value, dimension)
@@ -148,10 +155,12 @@ def as_text(name: str, value: Any) -> Any:
 
 def _numbers(name: str, value: Any, dimension: _units.Dimension) -> Any:
     if isinstance(value, (list, tuple)):
-        bare = next((k for k, element in enumerate(value) if not _units.has_units(element)), None)
-        if bare is not None:
-            raise PolhodeError(f"{name}[{bare}] has no unit, but other elements have one: give all of them a unit, or none")
-        return [_numbers(f"{name}[{k}]", element, dimension) for k, element in enumerate(value)]
+        return [_numbers(f"{name}[{k}]", element, dimension) for k, element in enumerate(_with_units(name, value))]
+    if isinstance(value, str):
+        number = _units.number_of(name, value, dimension)
+        return value if number is None else number
+    if _units.library_of(value) is None:
+        return value
     magnitude, powers = _si(name, value)
     found = {symbol: power for symbol, power in powers.items() if symbol != "rad"}
     if found != {symbol: power for symbol, power in zip(("kg", "m", "s"), dimension.powers) if power}:
@@ -161,6 +170,14 @@ def _numbers(name: str, value: Any, dimension: _units.Dimension) -> Any:
     if dimension is _units.NUMBER and powers:
         raise PolhodeError(f"{name} is an angle, where {dimension.words} belongs")
     return magnitude
+
+
+def _with_units(name: str, value: Sequence[Any]) -> Sequence[Any]:
+    """Refuses a number without a unit next to quantities, unless it is 0."""
+    for k, element in enumerate(value):
+        if not (_units.has_units(element) or _units.has_text(element)) and np.any(np.asarray(element, dtype=object)):
+            raise PolhodeError(f"{name}[{k}] has no unit, but other elements have one: give all of them a unit, or none")
+    return value
 
 
 def _si(name: str, value: Any) -> tuple[Any, dict[str, int]]:
@@ -204,38 +221,12 @@ def refuse(name: str, array: npt.NDArray[Any], wrong: npt.NDArray[np.bool_], rul
         raise PolhodeError(f"{name}{place} = {array[index]} must be {rule}")
 
 
-def quaternions(name: str, value: Any, shape: tuple[int | str, ...]) -> Floats:
-    """Converts rotations to quaternions, scalar first.
-
-    A ``scipy.spatial.transform.Rotation``, which is scalar last, is reordered. Matrices (…, 3, 3)
-    are converted.
-    """
-    if hasattr(value, "as_quat"):
-        # SciPy before 1.14 has no ``scalar_first``: reorder the components here.
-        value = np.asarray(value.as_quat())[..., [3, 0, 1, 2]]
-    given = real(name, value)
-    if given.ndim == len(shape) + 1 and given.shape[-2:] == (3, 3):
-        matrices = numbers(name, given, (*shape[:-1], 3, 3))
-        return _native.quaternions_of_matrices(name, matrices.reshape(-1, 9)).reshape(*matrices.shape[:-2], 4)
-    array = numbers(name, given, shape)
-    refuse(name, array, np.broadcast_to(~array.any(axis=-1, keepdims=True), array.shape), "part of a quaternion that is not zero")
-    return array
-
-
 def triple(name: str, value: object) -> list[float]:
     """Converts a vector to a list of three numbers."""
-    return _few(value, 3) or numbers(name, value, (3,)).tolist()
+    return few(value, 3) or numbers(name, value, (3,)).tolist()
 
 
-def quaternion(name: str, value: object) -> list[float]:
-    """Converts a rotation to the list of its quaternion."""
-    if (plain := _few(value, 4)) is not None and any(plain):
-        return plain
-    found: list[float] = quaternions(name, value, (4,)).tolist()
-    return found
-
-
-def _few(value: Any, count: int) -> list[float] | None:
+def few(value: Any, count: int) -> list[float] | None:
     """Returns the numbers of a short list, tuple or array as a list if they are certainly valid,
     otherwise ``None``: the caller then checks them in full."""
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (count,):
@@ -269,7 +260,7 @@ def symmetric(name: str, tensors: Floats) -> Floats:
 
 def tensor(name: str, value: object) -> list[list[float]]:
     """Converts an inertia tensor (3, 3), or three moments about the body's own axes, to rows."""
-    if (moments := _few(value, 3)) is not None:
+    if (moments := few(value, 3)) is not None:
         a, b, c = moments
         return [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (3, 3):

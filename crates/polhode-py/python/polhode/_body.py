@@ -19,14 +19,14 @@ class Body(NoArray, Mapping[str, MassProperties]):
     Parameters
     ----------
     parts
-        Mass properties by name, each at its place in the body.
+        Mass properties or bodies by name, each at its place in the body.
 
     Raises
     ------
     PolhodeError
         If there are no parts.
     TypeError
-        If a part is not :class:`MassProperties`, or a name is not text.
+        If a part is not :class:`MassProperties` or a :class:`Body`, or a name is not text.
 
     Examples
     --------
@@ -46,16 +46,12 @@ class Body(NoArray, Mapping[str, MassProperties]):
 
     _instead = "its numbers are in its parts and in mass_properties"
 
-    def __init__(self, parts: Mapping[str, MassProperties]) -> None:
+    def __init__(self, parts: Mapping[str, MassProperties | Body]) -> None:
         if not isinstance(parts, Mapping):
             raise TypeError(f"parts must be a dict of MassProperties by name, not {type(parts).__name__}")
-        for name, part in parts.items():
-            _arrays.text("the name of a part", name)
-            if not isinstance(part, MassProperties):
-                raise TypeError(f"part {name!r} must be MassProperties, not {type(part).__name__}")
+        self._parts = {_arrays.text("the name of a part", name): whole(f"part {name!r}", part) for name, part in parts.items()}
         if not parts:
             raise PolhodeError("a body has at least one part")
-        self._parts = dict(parts)
         self._whole = joined(list(self._parts.values()))
 
     @property
@@ -77,7 +73,7 @@ class Body(NoArray, Mapping[str, MassProperties]):
             New position of the body's origin (3,), m.
         rotation
             Rotation from present components to new ones: a quaternion (w, x, y, z), a matrix
-            (3, 3), or a ``scipy.spatial.transform.Rotation``.
+            (3, 3), a ``scipy.spatial.transform.Rotation``, or a form of scenario files.
 
         Returns
         -------
@@ -160,3 +156,17 @@ class Body(NoArray, Mapping[str, MassProperties]):
             ),
         )
         return f"<div>{table}{whole._repr_html_()}</div>"
+
+
+def is_body(value: object) -> bool:
+    """Returns true for what every argument that is a body accepts."""
+    return isinstance(value, (MassProperties, Body))
+
+
+def whole(name: str, value: object) -> MassProperties:
+    """Converts a body to its mass properties."""
+    if isinstance(value, Body):
+        return value.mass_properties
+    if not isinstance(value, MassProperties):
+        raise TypeError(f"{name} must be MassProperties or a Body, not {_arrays.kind_of(value)}")
+    return value

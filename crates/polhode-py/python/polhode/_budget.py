@@ -12,8 +12,9 @@ from typing import Any, Iterable, Iterator, Mapping, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native, _toml
+from . import _arrays, _native, _rotation, _toml
 from ._arrays import Floats
+from ._computed_function import Turned
 from ._error import PolhodeError
 from ._estimate import Estimate, counted, floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of
@@ -227,7 +228,7 @@ def budget(
     plan: Mapping[str, object] | None = None,
     basis: str | None = None,
     about: npt.ArrayLike | None = None,
-    axes: npt.ArrayLike | None = None,
+    axes: object = None,
     draws: int | None = None,
     seed: int | None = None,
     configuration: str | None = None,
@@ -252,8 +253,9 @@ def budget(
     about
         Additional reference point (3,) for the inertia tensor, m.
     axes
-        Additional axes for the inertia tensor, the columns of a rotation matrix (3, 3). Tilts are
-        measured from them.
+        Additional axes for the inertia tensor: the rotation from components along them to body
+        components, as for :meth:`MassProperties.inertia_along`. The columns of its matrix (3, 3)
+        are the axes. Tilts are measured from them.
     draws
         Number of random bodies to draw: 0, or at least 10. The default is 10,000, fewer for long
         lists.
@@ -299,7 +301,7 @@ def budget(
     asked: _native.BudgetAsked = {
         "is_basic": None if basis is None else _arrays.choice("basis", basis, ["basic", "predicted"]) == "basic",
         "about": None if about is None else _arrays.numbers("about", about, (3,)).tolist(),
-        "axes": None if axes is None else _arrays.numbers("axes", axes, (3, 3)).tolist(),
+        "axes": None if axes is None else _matrix(axes),
         "draws": None if draws is None else _arrays.count("draws", draws, 0),
         "seed": None if seed is None else _arrays.count("seed", seed, 0),
         "configuration": None if configuration is None else _arrays.text("configuration", configuration),
@@ -317,6 +319,16 @@ def budget(
     found = _found(answer)
     warn_of(found.findings)
     return found
+
+
+def _matrix(axes: object) -> list[list[float]]:
+    """Returns the matrix of a rotation; one that is a matrix keeps its bits."""
+    given = _rotation.rotations("axes", axes)
+    if given.shape != (3, 3):
+        quaternion = _rotation.quaternions("axes", given, (4,))
+        given = Turned(quaternion / np.linalg.norm(quaternion)).as_matrix()
+    rows: list[list[float]] = _arrays.numbers("axes", given, (3, 3)).tolist()
+    return rows
 
 
 def _columns(table: Any) -> dict[str, list[object]]:

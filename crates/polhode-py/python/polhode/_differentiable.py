@@ -15,7 +15,7 @@ from typing import Any, Callable, Mapping, NamedTuple, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays
+from . import _arrays, _rotation
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._free_motion import FreeMotion
@@ -166,7 +166,7 @@ def _states(motion: FreeMotion, times: Floats) -> Floats:
 def _motion(inertia: Floats, attitude: Floats, omega: Floats) -> FreeMotion:
     # Both are checked here because elsewhere a matrix (3, 3) is also accepted as an attitude, and
     # three moments as a tensor.
-    return FreeMotion(inertia=_arrays.numbers("inertia", inertia, (3, 3)), attitude=_arrays.quaternions("attitude", attitude, (4,)), omega=omega)
+    return FreeMotion(inertia=_arrays.numbers("inertia", inertia, (3, 3)), attitude=_rotation.quaternions("attitude", attitude, (4,)), omega=omega)
 
 
 def _motion_partials(

@@ -7,18 +7,18 @@ from typing import Any, Iterable, Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _native, _rotation
 from ._actions import Actions, Functions, Torques
 from ._arrays import Floats
-from ._body import Body
+from ._body import Body, is_body, whole
 from ._ensemble_states import EnsembleStates, Failure, Stop
+from ._deprecated import Former
 from ._error import PolhodeError, warn
 from ._mass_properties import MassProperties, findings_of, warn_of
-from ._motion import Event
+from ._motion import EventOccurrence
 from ._record import same
 from ._scenario import Scenario
-from .scenario import Event as WatchedEvent
-from .scenario import Orbit, Wheel
+from .scenario import Event, Orbit, Wheel
 
 
 class Ensemble:
@@ -116,7 +116,7 @@ class Ensemble:
         attitude: object = (1.0, 0.0, 0.0, 0.0),
         torques: Torques = "",
         wheels: Sequence[Wheel] | Sequence[Sequence[Wheel]] = (),
-        events: Sequence[WatchedEvent] | Sequence[Sequence[WatchedEvent]] = (),
+        events: Sequence[Event] | Sequence[Sequence[Event]] = (),
         orbit: Orbit | Sequence[Orbit] | None = None,
     ) -> None:
         if sum(given is not None for given in (body, moments, inertia)) != 1:
@@ -145,7 +145,7 @@ class Ensemble:
         warn_of(findings_of(self._native.findings))
 
     @classmethod
-    def of(cls, scenarios: Iterable[Scenario]) -> Ensemble:
+    def from_scenarios(cls, scenarios: Iterable[Scenario]) -> Ensemble:
         """Makes an ensemble of scenarios, one for each member.
 
         A member has the start, the constraint, the torques and the events of its scenario. The
@@ -179,9 +179,9 @@ class Ensemble:
         ...     polhode.Scenario(body, start=Start(omega=[0.1, 0.2, 3.0]), torques=[Drag(law="linear", coefficient=c)], events=[slow], run=Run(duration=9.0))
         ...     for c in (0.2, 0.4, 0.8)
         ... ]
-        >>> states = polhode.Ensemble.of(braked).at([0.0, 9.0])
+        >>> states = polhode.Ensemble.from_scenarios(braked).at([0.0, 9.0])
         >>> states.event_times("slow").round(3)
-        array([  nan, 6.978, 3.489])
+        array([  nan, 6.874, 3.437])
         >>> bool(states.event_times("slow")[2] == polhode.simulate(braked[2]).ending.time)
         True
         """
@@ -191,6 +191,8 @@ class Ensemble:
         self._native = self._made()
         warn_of(findings_of(self._native.findings))
         return self
+
+    of = Former("Ensemble.of", "from_scenarios")
 
     def at(
         self, times: npt.ArrayLike, *, threads: int | None = None, tolerance: float = 1e-13
@@ -230,7 +232,7 @@ class Ensemble:
             _native.available_threads() if threads is None else _arrays.count("threads", threads),
             _arrays.positive("tolerance", tolerance),
         )
-        found = [(member, Event(name, time, rising, tuple(omega), tuple(wxyz))) for member, name, time, rising, omega, wxyz in happened]
+        found = [(member, EventOccurrence(name, time, rising, tuple(omega), tuple(wxyz))) for member, name, time, rising, omega, wxyz in happened]
         states = EnsembleStates(asked.copy(), rows, [Failure(*failure) for failure in failures], [Stop(*stop) for stop in stops], found)
         if states.failures:
             first = states.failures[0]
@@ -288,32 +290,27 @@ class Ensemble:
 def _each(name: str, value: Any, shape: tuple[int, ...]) -> Floats:
     """Returns a row for each member, or one row for all."""
     check, ndim = _arrays.numbers, len(shape)
-    given = np.asarray(value.as_quat()) if hasattr(value, "as_quat") else _arrays.real(name, value)
     if name == "attitude":
         # A matrix (3, 3) has one axis more than a quaternion.
-        check, ndim = _arrays.quaternions, 2 if given.ndim > 1 and given.shape[-2:] == (3, 3) else 1
-    if given.ndim == ndim:
-        return check(name, value, shape)[None]
-    return check(name, value, ("n", *shape))
+        given = _rotation.rotations(name, value)
+        check, ndim = _rotation.quaternions, 2 if given.ndim > 1 and given.shape[-2:] == (3, 3) else 1
+    else:
+        given = _arrays.real(name, value)
+    return check(name, given, shape)[None] if given.ndim == ndim else check(name, given, ("n", *shape))
 
 
 def _is_of_bodies(value: object) -> bool:
     """Returns true if the value is a body, or a list that begins with one."""
-    return isinstance(value, (MassProperties, Body)) or isinstance(value, (list, tuple)) and len(value) > 0 and isinstance(value[0], (MassProperties, Body))
+    return is_body(value) or isinstance(value, (list, tuple)) and len(value) > 0 and is_body(value[0])
 
 
 def _bodies(name: str, value: object) -> list[MassProperties]:
     """Returns the bodies of all members, or one for all."""
-    if isinstance(value, (MassProperties, Body)):
-        value = [value]
+    if is_body(value):
+        return [whole(name, value)]
     if isinstance(value, (str, bytes, Mapping, np.ndarray)) or not isinstance(value, Iterable):
-        raise TypeError(f"{name} must be mass properties, or a list of these, not {_arrays.kind_of(value)}")
-    found = []
-    for k, one in enumerate(value):
-        one = one.mass_properties if isinstance(one, Body) else one
-        if not isinstance(one, MassProperties):
-            raise TypeError(f"{name}[{k}] must be mass properties, not {_arrays.kind_of(one)}")
-        found.append(one)
+        raise TypeError(f"{name} must be MassProperties or a Body, or a list of these, not {_arrays.kind_of(value)}")
+    found = [whole(f"{name}[{k}]", one) for k, one in enumerate(value)]
     if not found:
         raise PolhodeError(f"{name} is an empty list: at least one body is required")
     return found

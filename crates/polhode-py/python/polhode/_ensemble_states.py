@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _arrays
 from ._arrays import Floats
-from ._motion import Ending, Event
+from ._motion import Ending, EventOccurrence
 from ._record import same
 from ._states import ATTITUDE, OMEGA, States, ends, rotations
 from ._table import Column, Table, Variable, vector
@@ -56,7 +56,7 @@ class EnsembleStates(Table):
     #: Not hashable, because it contains arrays.
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, times: Floats, rows: Floats, failures: list[Failure], stops: list[Stop], happened: list[tuple[int, Event]]) -> None:
+    def __init__(self, times: Floats, rows: Floats, failures: list[Failure], stops: list[Stop], happened: list[tuple[int, EventOccurrence]]) -> None:
         #: Requested times (t,), s.
         self.times = times
         #: Members whose computation failed.
@@ -90,9 +90,9 @@ class EnsembleStates(Table):
         return self._rows[:, :, 0]
 
     @property
-    def events(self) -> list[list[Event]]:
+    def events(self) -> list[list[EventOccurrence]]:
         """Events of each member, in the order of time, as in :attr:`Motion.events`."""
-        each: list[list[Event]] = [[] for _ in range(len(self))]
+        each: list[list[EventOccurrence]] = [[] for _ in range(len(self))]
         for member, event in self._happened:
             each[member].append(event)
         return each

@@ -14,13 +14,18 @@ _RENAMED = {"root": "roots", "joint": "joints", "part": "parts", "omega": "omega
 _SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule", "field", "tolerance"}
 _SAME |= {"spacing", "origin", "per-value", "link", "subtree", "threads", "workers", "worker-timeout"}
 _SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns", "moments", "start-omega", "weld", "fill", "draws"}
-#: Values of options that are functions in Python.
-_FUNCTIONS = {"--lump fixed": "fixed_groups()"}
+#: Options that are functions or attributes in Python.
+_ELSEWHERE = {"--lump fixed": "fixed_groups()", "--lump all": "inertia()", "--table": "link_table()", "--body": "the attribute body"}
+#: Commands with another name in Python.
+_COMMANDS = {"torque": "required_torque"}
 
 #: A flag, with a value after it as an example or a placeholder.
-_VALUE = r"(?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb|wxyz|xyzw|body-to-space|space-to-body|body|space|fixed)\b"
+_VALUE = r"(?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb|wxyz|xyzw|body-to-space|space-to-body|body|space|fixed|all)\b"
 _NUMBER = r"[0-9][0-9.]*(?:e-?[0-9]+)?\b"
 _FLAG = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( {_VALUE}(?: or {_VALUE})*| {_NUMBER}| [A-Z]+\b| (?=\"))?")
+
+#: A command in a message.
+_COMMAND = re.compile(r"`polhode (check|explain|inertia|judge|simulate|stability|torque)`")
 
 
 def in_python(text: str) -> str:
@@ -37,14 +42,16 @@ def in_python(text: str) -> str:
     'it closes if vertices are welded: weld=5e-7 (3 vertices become 1)'
     >>> in_python("use --lump fixed, which needs no common frame")
     'use fixed_groups(), which needs no common frame'
+    >>> in_python("`polhode torque` computes it")
+    'polhode.required_torque computes it'
     """
 
     def keyword(found: re.Match[str]) -> str:
         flag, value = found[1], (found[2] or "").strip()
         if flag in _SWITCHES:
             return f"{flag}=True"
-        if found[0] in _FUNCTIONS:
-            return _FUNCTIONS[found[0]]
+        if found[0] in _ELSEWHERE:
+            return _ELSEWHERE[found[0]]
         if flag not in _SAME and flag not in _RENAMED:
             return f"the command's {found[0]}"
         name = _RENAMED.get(flag, flag).replace("-", "_")
@@ -55,6 +62,8 @@ def in_python(text: str) -> str:
         quoted = " or ".join(f'"{one.replace("-", "_")}"' for one in value.split(" or "))
         return f"{name}={quoted}" if value.islower() else name
 
+    if "`polhode " in text:
+        text = _COMMAND.sub(lambda found: f"polhode.{_COMMANDS.get(found[1], found[1])}", text)
     return _FLAG.sub(keyword, text.replace(" with -o DIR", "")) if "-" in text else text
 
 
@@ -104,10 +113,10 @@ class PolhodeWarning(UserWarning):
 _PACKAGE = os.path.dirname(__file__) + os.sep
 
 
-def warn(message: str) -> None:
-    """Issues a :class:`PolhodeWarning` that points at the user's line, however many frames of the
-    package are between."""
+def warn(message: str, category: type[Warning] = PolhodeWarning) -> None:
+    """Issues a warning that points at the user's line, however many frames of the package are
+    between."""
     level, frame = 2, sys._getframe(1)
     while frame.f_back is not None and frame.f_code.co_filename.startswith(_PACKAGE):
         level, frame = level + 1, frame.f_back
-    warnings.warn(message, PolhodeWarning, stacklevel=level)
+    warnings.warn(message, category, stacklevel=level)

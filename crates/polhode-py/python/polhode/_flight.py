@@ -8,7 +8,7 @@ from typing import Any, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _native, _rotation
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._record import Record
@@ -51,7 +51,7 @@ class Flight(Record):
         times = _arrays.numbers("times", self.times, ("n",))
         attitude, at = np.empty((0, 4)), np.empty(0)
         if self.attitude is not None:
-            attitude = _arrays.quaternions("attitude", self.attitude, ("n", 4))
+            attitude = _rotation.quaternions("attitude", self.attitude, ("n", 4))
             at = times if self.attitude_times is None else _arrays.numbers("attitude_times", self.attitude_times, ("n",))
             as_long("attitude_times" if self.attitude_times is not None else "times", at, "attitude", attitude)
         elif self.attitude_times is not None:

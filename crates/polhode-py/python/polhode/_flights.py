@@ -11,6 +11,7 @@ from . import _arrays, _native, _units
 from ._arrays import Floats
 from ._flight import Flight, as_long
 from ._table import Column, Table, Variable
+from ._units import Quantity
 
 #: Descriptions of the columns.
 _FLIGHT, _TIME = "the flight's number, from 0", "time of the reading"
@@ -40,10 +41,10 @@ class Flights(Table):
     --------
     >>> import numpy as np, polhode
     >>> flight = polhode.Flight(times=[0, 0.01], gyro=[[1, 2, 3], [1.1, 1.9, 3]], name="first")
-    >>> flights = polhode.Flights([flight, polhode.Flight(times=[2.0], gyro=[[0.5, 3, 1]], name="second")])
+    >>> flights = polhode.results.Flights([flight, polhode.Flight(times=[2.0], gyro=[[0.5, 3, 1]], name="second")])
     >>> flights
     Flights(first, second: 3 readings)
-    >>> flights[1].times, flights[:1] == polhode.Flights([flight])
+    >>> flights[1].times, flights[:1] == polhode.results.Flights([flight])
     (array([2.]), True)
     >>> {name: values.tolist() for name, values in flights.columns().items()}["flight"]
     [0, 0, 1]
@@ -182,8 +183,8 @@ def find_flights(
     *,
     times: npt.ArrayLike,
     gyro: npt.ArrayLike,
-    slowest: float = 3.0,
-    shortest: float = 0.3,
+    slowest: Quantity = 3.0,
+    shortest: Quantity = 0.3,
     torque: float = 0.2,
 ) -> Flights:
     """Cuts the flights out of a long log: intervals of fast rotation without applied torque.

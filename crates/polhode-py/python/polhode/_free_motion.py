@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _display, _native
+from . import _arrays, _display, _native, _rotation
 from ._arrays import Floats
-from ._body import Body
+from ._body import Body, is_body, whole
 from ._derivatives import Derivatives, derivatives_of
 from ._error import PolhodeError
 from ._mass_properties import IDENTITY, MassProperties
 from ._states import MotionError, States, rotations
+from ._units import Quantity
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -39,8 +40,8 @@ class FreeMotion:
         :class:`MassProperties`, or a :class:`Body`.
     attitude
         Rotation from body components to space components at t = 0: a quaternion (w, x, y, z), a
-        matrix (3, 3), or a ``scipy.spatial.transform.Rotation``. By default, body axes and space
-        axes coincide.
+        matrix (3, 3), a ``scipy.spatial.transform.Rotation``, or a form of scenario files, such as
+        ``{"axis": [0, 0, 1], "angle": "30 deg"}``. By default, body axes and space axes coincide.
     allow_unphysical
         If true, accepts unphysical moments, for which Euler's equations also have a solution.
 
@@ -76,7 +77,7 @@ class FreeMotion:
         allow_unphysical: bool = False,
     ) -> None:
         start = _arrays.triple("omega", omega)
-        wxyz = IDENTITY if attitude is IDENTITY or attitude is None else _arrays.quaternion("attitude", attitude)
+        wxyz = IDENTITY if attitude is IDENTITY or attitude is None else _rotation.quaternion("attitude", attitude)
         unphysical = allow_unphysical is not False and _arrays.truth("allow_unphysical", allow_unphysical)
         if (moments is None) == (inertia is None):
             raise PolhodeError("give exactly one of moments and inertia")
@@ -317,7 +318,7 @@ class FreeMotion:
         """
         return rotations(self.at(times).attitude)
 
-    def page(self, duration: float | None = None) -> str:
+    def page(self, duration: Quantity | None = None) -> str:
         """Returns an HTML page that shows the motion in 3-D in a browser.
 
         Parameters
@@ -384,9 +385,7 @@ class FreeMotion:
 
 def tensor_of(inertia: object) -> object:
     """Returns the tensor of a body; other values are returned unchanged."""
-    if isinstance(inertia, Body):
-        inertia = inertia.mass_properties
-    return inertia.inertia if isinstance(inertia, MassProperties) else inertia
+    return whole("inertia", inertia).inertia if is_body(inertia) else inertia
 
 
 def _room(times: Floats) -> tuple[tuple[Floats, Floats], Floats]:

@@ -8,11 +8,12 @@ from typing import Iterable, Mapping, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _native, _toml
+from . import _arrays, _native, _rotation, _toml
 from ._error import PolhodeError
 from ._flight import Flight, as_long
 from ._identified import PayloadResult, SwingResult, TumbleResult, identified_of
 from ._mass_properties import warn_of
+from ._units import Quantity
 
 
 def identify(plan: str | os.PathLike[str] | Mapping[str, object]) -> TumbleResult | SwingResult | PayloadResult:
@@ -87,8 +88,8 @@ def identify_tumbles(
     scale: bool = False,
     skew: bool = False,
     clock: bool = False,
-    gyro_noise: float | None = None,
-    attitude_noise: float | None = None,
+    gyro_noise: Quantity | None = None,
+    attitude_noise: Quantity | None = None,
     drag: str | None = None,
     outlier: float = 6.0,
     title: str | None = None,
@@ -256,12 +257,12 @@ def identify_payload(
     wrench: str,
     attitude: object = None,
     bias: bool = False,
-    force_noise: float | None = None,
-    torque_noise: float | None = None,
+    force_noise: Quantity | None = None,
+    torque_noise: Quantity | None = None,
     wrench_covariance: npt.ArrayLike | None = None,
-    omega_noise: float = 0.0,
-    alpha_noise: float = 0.0,
-    acceleration_noise: float = 0.0,
+    omega_noise: Quantity = 0.0,
+    alpha_noise: Quantity = 0.0,
+    acceleration_noise: Quantity = 0.0,
     kind: str | None = None,
     title: str | None = None,
 ) -> PayloadResult:
@@ -340,7 +341,7 @@ def identify_payload(
     down = _arrays.real("gravity", gravity)
     turned = None
     if attitude is not None:
-        turned = _arrays.quaternions("attitude", attitude, ("n", 4))
+        turned = _rotation.quaternions("attitude", attitude, ("n", 4))
         as_long("times", when, "attitude", turned)
         down = _arrays.numbers("gravity", down, (3,)).reshape(1, 3)
     elif down.shape == (3,) and not down.any():

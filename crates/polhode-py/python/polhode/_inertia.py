@@ -14,7 +14,7 @@ from ._error import PolhodeError
 from ._mass_properties import MassProperties
 from ._robot import positions
 from ._substance import given, of_parts
-from ._units import has_units
+from ._units import Quantity, has_units
 
 #: Kind of a file by its extension.
 _KINDS = {
@@ -49,15 +49,15 @@ _OPTIONS = {
 def inertia(
     source: str | os.PathLike[str] | tuple[npt.ArrayLike, npt.ArrayLike] | npt.ArrayLike | Any,
     *,
-    density: float | None = None,
-    mass: float | None = None,
+    density: Quantity | None = None,
+    mass: Quantity | None = None,
     material: str | None = None,
     parts: Mapping[str, str | Mapping[str, Any]] | None = None,
     field: str | None = None,
     tolerance: float | None = None,
     unit: str | float | None = None,
     hull: bool = False,
-    shell: float | None = None,
+    shell: Quantity | None = None,
     weld: str | float | None = None,
     fill: str | float | None = None,
     union: bool = False,
@@ -68,7 +68,7 @@ def inertia(
     molecule: int | None = None,
     spacing: npt.ArrayLike | None = None,
     origin: npt.ArrayLike | None = None,
-    per_value: float | None = None,
+    per_value: Quantity | None = None,
     link: str | None = None,
     subtree: str | None = None,
     joints: Mapping[str, float | str] | None = None,

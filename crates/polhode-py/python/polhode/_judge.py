@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy.typing as npt
 
-from . import _arrays, _native
+from . import _arrays, _native, _rotation
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._judgement import Judgement
 from ._mass_properties import findings_of
 from ._scenario import Scenario, formula_source
 from ._simulate import warn_of_scenario
+from ._units import Quantity
 
 
 def judge(
@@ -30,8 +31,8 @@ def judge(
     sense: str | None = None,
     omega_axes: str | None = None,
     axes: str | None = None,
-    time_origin: float | None = None,
-    step: float | None = None,
+    time_origin: Quantity | None = None,
+    step: Quantity | None = None,
     engine: str | None = None,
 ) -> Judgement:
     """Compares a motion that another program computed with the exact motion of a scenario.
@@ -180,7 +181,7 @@ def _attitudes(attitude: Any, said: _native.Said) -> Floats:
         return _arrays.numbers("attitude", given, ("n", 3, 3)).reshape(-1, 9)
     if given.ndim != 2 or given.shape[1] != 4:
         raise PolhodeError(f"attitude must have the shape (n, 4), or (n, 3, 3) for matrices, not {given.shape}")
-    return _arrays.quaternions("attitude", given, ("n", 4))
+    return _rotation.quaternions("attitude", given, ("n", 4))
 
 
 def _one_of(name: str, value: object, known: list[str]) -> str | None:

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from . import _html, _native
 from ._arrays import Floats
+from ._deprecated import warn_of_name
 from ._error import in_python
 from ._estimate import counted
 from ._record import same
@@ -62,15 +63,21 @@ class Reading(NamedTuple):
 
 
 class ErrorGrowth(NamedTuple):
-    """Growth law of the largest error so far."""
+    """Growth of the largest error so far."""
 
-    #: Kind of law: ``power`` (t to the power of ``exponent``) or ``exponential``.
-    law: str
+    #: Kind of growth: ``power`` (t to the power of ``exponent``) or ``exponential``.
+    kind: str
     #: Exponent: 0 for a wrong start, ½ for random rounding errors, 1 for a wrong rate, 2 for a
     #: drifting rate; ``None`` for an exponential.
     exponent: float | None
     #: Growth rate of an exponential, 1/s; else ``None``.
     rate: float | None
+
+    @property
+    def law(self) -> str:
+        """Former name of ``kind``."""
+        warn_of_name("ErrorGrowth.law", "ErrorGrowth.kind")
+        return self.kind
 
 
 class ErrorPart(NamedTuple):
@@ -269,7 +276,7 @@ class Judgement:
 
     @property
     def growth(self) -> ErrorGrowth | None:
-        """Growth law of the error; ``None`` if the error is too small or the run too short."""
+        """Growth of the error; ``None`` if the error is too small or the run too short."""
         said = self._run["growth"]
         return None if said is None else ErrorGrowth(said["law"], said.get("exponent"), said.get("rate_per_s"))
 

@@ -15,6 +15,7 @@ from ._error import PolhodeError
 from ._mass_properties import MassProperties, checked_particles
 from ._record import Record
 from ._substance import Given, given
+from ._units import Quantity
 
 #: Names of the ten numbers of mass properties.
 ROWS = ("mass", "center_x", "center_y", "center_z", "I_xx", "I_yy", "I_zz", "I_xy", "I_xz", "I_yz")
@@ -257,8 +258,8 @@ class MeshDerivatives(Record):
 def mesh_derivatives(
     mesh: tuple[npt.ArrayLike, npt.ArrayLike],
     *,
-    density: float | None = None,
-    mass: float | None = None,
+    density: Quantity | None = None,
+    mass: Quantity | None = None,
     material: str | None = None,
 ) -> MeshDerivatives:
     """Computes the derivatives of a solid's mass properties by its vertices, in closed form.

@@ -9,9 +9,11 @@ from typing import Any, Iterable, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _html, _native
+from . import _arrays, _html, _native, _rotation
 from ._arrays import Floats
+from ._deprecated import Former
 from ._error import PolhodeError, in_python, warn
+from ._units import Quantity
 
 #: Identity rotation, as a quaternion.
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
@@ -74,7 +76,7 @@ class MassProperties:
     ... )
     >>> body.moments.round(3)
     array([ 4.413,  8.113, 10.474])
-    >>> body.about([0, 0, 0])[0, 1]
+    >>> body.inertia_about([0, 0, 0])[0, 1]
     np.float64(4.125)
 
     Bodies can be added: ``a + b`` is both rigidly joined, and ``a.placed(position=…)`` moves one
@@ -86,7 +88,7 @@ class MassProperties:
     def __init__(
         self,
         *,
-        mass: float,
+        mass: Quantity,
         inertia: npt.ArrayLike,
         center_of_mass: npt.ArrayLike = (0.0, 0.0, 0.0),
         about: npt.ArrayLike | None = None,
@@ -193,7 +195,7 @@ class MassProperties:
         """Assumptions and corrections, such as reversed normals or an assumed density."""
         return findings_of(self._native.findings)
 
-    def about(self, point: npt.ArrayLike) -> Floats:
+    def inertia_about(self, point: npt.ArrayLike) -> Floats:
         """Computes the inertia tensor about a point, body axes, kg·m² (parallel axis theorem).
 
         Parameters
@@ -215,19 +217,19 @@ class MassProperties:
         --------
         >>> import polhode
         >>> ball = polhode.shapes.sphere(radius=0.1, mass=2.0)
-        >>> ball.about([0.5, 0, 0]).diagonal().round(6)
+        >>> ball.inertia_about([0.5, 0, 0]).diagonal().round(6)
         array([0.008, 0.508, 0.508])
         """
         return self._native.about(_arrays.triple("point", point))
 
-    def along(self, rotation: object) -> Floats:
+    def inertia_along(self, rotation: object) -> Floats:
         """Returns the inertia tensor about the centre of mass along rotated axes (3, 3), kg·m².
 
         Parameters
         ----------
         rotation
             Rotation from components along those axes to body components: a quaternion (w, x, y, z),
-            a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+            a matrix (3, 3), a ``scipy.spatial.transform.Rotation``, or a form of scenario files.
 
         Returns
         -------
@@ -239,7 +241,10 @@ class MassProperties:
         PolhodeError
             If an argument is invalid; the message names the argument, the element and the rule.
         """
-        return self._native.along(_arrays.quaternions("rotation", rotation, (4,)).tolist())
+        return self._native.along(_rotation.quaternions("rotation", rotation, (4,)).tolist())
+
+    about = Former("MassProperties.about", "inertia_about")
+    along = Former("MassProperties.along", "inertia_along")
 
     def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> MassProperties:
         """Returns the body in a frame where its origin is at ``position`` and its axes are rotated.
@@ -250,7 +255,7 @@ class MassProperties:
             Position of the body's origin in the new frame (3,), m.
         rotation
             Rotation from the body's present components to the new ones: a quaternion (w, x, y, z),
-            a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+            a matrix (3, 3), a ``scipy.spatial.transform.Rotation``, or a form of scenario files.
 
         Returns
         -------
@@ -262,7 +267,7 @@ class MassProperties:
         PolhodeError
             If an argument is invalid; the message names the argument, the element and the rule.
         """
-        turn = _arrays.quaternions("rotation", rotation, (4,)).tolist()
+        turn = _rotation.quaternions("rotation", rotation, (4,)).tolist()
         return MassProperties._of(self._native.placed(_arrays.triple("position", position), turn))
 
     def __add__(self, other: object) -> MassProperties:

@@ -18,12 +18,13 @@ from ._mass_properties import Finding, findings_of
 from ._record import same
 from ._states import MotionError, States, rotations
 from ._table import Column, Table, Variable
+from ._units import Quantity
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
 
-class Event(NamedTuple):
+class EventOccurrence(NamedTuple):
     """An occurrence of an event."""
 
     #: Name of the event in the scenario.
@@ -119,7 +120,7 @@ class Motion(Table):
         return self._column("work_j")
 
     @property
-    def events(self) -> list[Event]:
+    def events(self) -> list[EventOccurrence]:
         """Occurrences of events, in the order of time."""
         return list(self._events)
 
@@ -220,7 +221,7 @@ class Motion(Table):
         states = States(asked.copy(), *self._computed().at(asked))
         return states[0] if given.ndim == 0 else states
 
-    def extend(self, duration: float, *, samples: int = 1001, error: str = "auto") -> Motion:
+    def extend(self, duration: Quantity, *, samples: int = 1001, error: str = "auto") -> Motion:
         """Continues the motion from its end.
 
         The torques, their switching states and the events continue. Together, both motions are that
@@ -344,9 +345,9 @@ class Motion(Table):
         return None if estimate is None else MotionError(*estimate[0], *estimate[1])
 
     @cached_property
-    def _events(self) -> tuple[Event, ...]:
+    def _events(self) -> tuple[EventOccurrence, ...]:
         events = self._native.events
-        return tuple(Event(name, time, rising, tuple(omega), tuple(wxyz)) for name, time, rising, omega, wxyz in events)
+        return tuple(EventOccurrence(name, time, rising, tuple(omega), tuple(wxyz)) for name, time, rising, omega, wxyz in events)
 
     @cached_property
     def _findings(self) -> tuple[Finding, ...]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
 from . import _arrays, _html, _native, _section
 from ._body import Body
-from ._computed_law import computed, computed_of_one, measured, needs_momentum
+from ._computed_function import computed, computed_of_one, measured, needs_momentum
 from ._error import PolhodeError
 from ._mass_properties import Finding, MassProperties, findings_of
 from ._section import Section
@@ -372,7 +372,7 @@ class Scenario:
         and the functions."""
         torques = enumerate(self.torques)
         functions = [(k, one) for k, one in torques if isinstance(one, FunctionTorque)]
-        return [(k, one.axes == "space", computed_of_one(one.law) if one.vectorized else computed(one.law)) for k, one in functions]
+        return [(k, one.axes == "space", computed_of_one(one.function) if one.vectorized else computed(one.function)) for k, one in functions]
 
     def _measures(self) -> list[tuple[int, bool, Callable[..., float]]]:
         """Returns the event measures that Python computes: their indices, whether they depend on

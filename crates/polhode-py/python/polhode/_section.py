@@ -8,12 +8,9 @@ from typing import Any, ClassVar, Iterable, Iterator, Mapping, TypeVar
 
 import numpy as np
 
-from . import _arrays
+from . import _arrays, _rotation
 from ._toml import pair
 from ._units import has_units
-
-#: A number in SI units, or a text of a number and a unit, such as ``"12 mm"``.
-Quantity = float | str
 
 _Section = TypeVar("_Section", bound="Section")
 
@@ -27,10 +24,13 @@ class Section:
 
     #: Name of the table in reports and errors.
     table: ClassVar[str]
+    #: Names of the fields that are rotations.
+    _ROTATIONS: ClassVar[frozenset[str]] = frozenset()
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            object.__setattr__(self, field.name, plain(f"{self.table}.{field.name}", getattr(self, field.name)))
+            convert = rotation if field.name in self._ROTATIONS else plain
+            object.__setattr__(self, field.name, convert(f"{self.table}.{field.name}", getattr(self, field.name)))
 
     def to_dict(self) -> dict[str, Any]:
         """Returns the keys of the table and their values, as in files."""
@@ -56,12 +56,10 @@ def plain(name: str, value: object) -> Any:
     """Converts a value to its stored form.
 
     Stored forms are numbers, text, truth values, tuples, dictionaries and tables. Arrays become
-    tuples, and rotations become dictionaries.
+    tuples.
     """
     if value is None or isinstance(value, (bool, str, Section)):
         return value
-    if hasattr(value, "as_quat"):
-        return {"quaternion": plain(name, _arrays.quaternions(name, value, (4,)))}
     if isinstance(value, os.PathLike):
         return _arrays.path(name, value)
     if isinstance(value, Mapping):
@@ -79,6 +77,13 @@ def plain(name: str, value: object) -> Any:
     array = _arrays.real(name, value)
     _arrays.refuse(name, array, ~np.isfinite(array), "finite")
     return _tuples(array.tolist())
+
+
+def rotation(name: str, value: object) -> Any:
+    """Converts a rotation to its stored form, a dictionary as in files."""
+    if value is None or isinstance(value, Mapping):
+        return plain(name, value)
+    return {"quaternion": plain(name, _rotation.quaternions(name, value, (4,)))}
 
 
 def _tuples(value: Any) -> Any:

@@ -42,7 +42,7 @@ class TumblingSpin(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Tumbling(Record):
-    """All spins of a body with two given periods, as :func:`spin` returns them.
+    """All spins of a body with two given periods, as :func:`spins_from_periods` returns them.
 
     It is a sequence of ``spins``.
     """
@@ -77,7 +77,7 @@ class Tumbling(Record):
         return in_python(self._said[1])
 
 
-def spin(
+def spins_from_periods(
     *,
     periods: npt.ArrayLike,
     convention: str,
@@ -116,7 +116,8 @@ def spin(
 
     >>> import polhode
     >>> day = 86_400.0
-    >>> found = polhode.spin(moments=[3.0836, 3.235, 1.0], periods=[7.40 * day, 5.38 * day], convention="long")
+    >>> periods = [7.40 * day, 5.38 * day]
+    >>> found = polhode.spins_from_periods(moments=[3.0836, 3.235, 1.0], periods=periods, convention="long")
     >>> [one.regime for one in found], round(found[0].motion.precession_period / day, 9)
     (['long_axis'], 7.4)
     """

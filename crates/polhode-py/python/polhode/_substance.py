@@ -7,6 +7,7 @@ from typing import TypedDict
 
 from . import _arrays, _native
 from ._error import PolhodeError
+from ._units import Quantity
 
 
 class Given(TypedDict):
@@ -65,15 +66,15 @@ def of_parts(parts: object) -> list[tuple[str, Given]]:
 
 def given(
     *,
-    density: float | None = None,
-    mass: float | None = None,
+    density: Quantity | None = None,
+    mass: Quantity | None = None,
     material: str | None = None,
-    area_density: float | None = None,
-    line_density: float | None = None,
+    area_density: Quantity | None = None,
+    line_density: Quantity | None = None,
 ) -> Given:
     """Checks that the arguments are positive numbers and text."""
 
-    def checked(name: str, value: float | None) -> float | None:
+    def checked(name: str, value: Quantity | None) -> float | None:
         return None if value is None else _arrays.positive(name, value)
 
     return {

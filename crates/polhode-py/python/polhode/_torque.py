@@ -22,7 +22,7 @@ from ._table import Column, Table, Variable
 
 @dataclass(frozen=True, eq=False, repr=False)
 class RequiredTorque(Table, Record):
-    """Torque, power and forces that a prescribed motion requires; see :func:`torque`."""
+    """Torque, power and forces that a prescribed motion requires; see :func:`required_torque`."""
 
     #: Times (n,), s.
     times: Floats
@@ -95,7 +95,7 @@ class RequiredTorque(Table, Record):
         return in_python(self._said[1])
 
 
-def torque(
+def required_torque(
     scenario: str | os.PathLike[str] | Scenario,
     *,
     times: npt.ArrayLike | None = None,
@@ -136,7 +136,7 @@ def torque(
     N = ω × I ω, about an axis that is not a principal axis:
 
     >>> import polhode
-    >>> needed = polhode.torque('''
+    >>> needed = polhode.required_torque('''
     ... [[body.part]]
     ... shape = "tensor"
     ... mass = "1 kg"

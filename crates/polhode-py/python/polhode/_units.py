@@ -1,5 +1,5 @@
-"""Conversion of Pint and Astropy quantities to SI. Neither library is imported unless it is already
-loaded."""
+"""Conversion of quantities to SI: of Pint, of Astropy, and of text with a unit, such as ``"2 cm"``.
+Neither library is imported unless it is already loaded."""
 
 from __future__ import annotations
 
@@ -9,7 +9,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from . import _native
 from ._error import PolhodeError
+
+#: A number in SI units, or a text of a number and a unit, such as ``"12 mm"``.
+Quantity = float | str
 
 
 class Dimension(NamedTuple):
@@ -54,11 +58,14 @@ DIMENSIONS: dict[str, Dimension] = {
     **dict.fromkeys(["alpha", "alpha_noise"], ANGULAR_ACCELERATION),
     **dict.fromkeys(["acceleration", "acceleration_noise", "gravity"], ACCELERATION),
     **dict.fromkeys(["force", "force_noise"], FORCE),
-    **dict.fromkeys(["torque", "torque_noise", "the torque of a law"], TORQUE),
+    **dict.fromkeys(["torque", "torque_noise", "the torque of a function"], TORQUE),
     "attitude_noise": ANGLE,
     "a wheel's momentum": ANGULAR_MOMENTUM,
     **dict.fromkeys(["attitude", "rotation", "axes", "a wheel's axis", "tolerance", "outlier"], NUMBER),
 }
+
+#: Types of numbers without a unit.
+_BARE = {float, int, np.float64}
 
 #: Names of SI base units in Pint and Astropy, and their symbols here.
 _BASE = {
@@ -78,16 +85,34 @@ def library_of(value: object) -> str | None:
 
 
 def has_units(value: object) -> bool:
-    """Returns true if the value is a quantity, or a list that contains one."""
+    """Returns true if the value is a quantity of a library, or a list that contains one."""
     if isinstance(value, (list, tuple)):
-        return not set(map(type, value)) <= {float, int, np.float64} and any(map(has_units, value))
+        return not set(map(type, value)) <= _BARE and any(map(has_units, value))
     return library_of(value) is not None
+
+
+def has_text(value: object) -> bool:
+    """Returns true if the value is a text, or a list that contains one."""
+    if isinstance(value, (list, tuple)):
+        return not set(map(type, value)) <= _BARE and any(map(has_text, value))
+    return isinstance(value, str)
+
+
+def number_of(name: str, text: str, dimension: Dimension) -> float | None:
+    """Returns the number in SI units of a text with a unit; ``None`` for other texts."""
+    angle = 1 if dimension.unit.startswith("rad") else 0
+    try:
+        return _native.quantity(text, (*dimension.powers, angle))
+    except UnicodeEncodeError:  # a lone surrogate
+        return None
+    except PolhodeError as error:
+        raise PolhodeError(f"{name} = {text!r}: {error.message}", error.hint) from None
 
 
 def without(name: str, value: object) -> None:
     """Refuses a quantity where a plain number is required, even if the argument's name has a
     dimension elsewhere."""
-    if has_units(value):
+    if has_units(value) or has_text(value):
         raise PolhodeError(f"{name} must be {NUMBER.words}, but has a unit")
 
 

@@ -15,7 +15,8 @@ from ._arrays import Floats
 from ._error import PolhodeError
 from ._knob import key_of_argument
 from ._scenario import Scenario
-from ._section import Quantity, Section
+from ._section import Section
+from ._units import Quantity
 from ._toml import pair
 
 #: Names of a distribution's numbers if they are given in order.
@@ -30,7 +31,7 @@ _IN_ORDER: dict[str, tuple[str, ...]] = {
 ROUNDING = 1e-13
 
 #: Numbers of a distribution, by name or in order.
-Law = Mapping[str, Any] | Sequence[Quantity]
+Distribution = Mapping[str, Any] | Sequence[Quantity]
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -39,7 +40,7 @@ class Vary(Section):
 
     It is a table ``[[sweep.vary]]`` of a
     `plan <https://github.com/polhode/polhode/blob/main/book/sweep.md#what-varies>`_, with a key and
-    exactly one of the laws.
+    exactly one distribution.
 
     Parameters
     ----------
@@ -63,7 +64,7 @@ class Vary(Section):
     grid
         Grid ``{"from": …, "to": …, "count": …}``.
     direction, magnitude
-        For a vector: direction ``"uniform"`` or ``{"within": "5 deg"}``, and a law for its length,
+        For a vector: direction ``"uniform"`` or ``{"within": "5 deg"}``, and a distribution of its length,
         ``{"uniform": {…}}``.
     random
         For a rotation: ``"uniform"`` or ``{"sd": "2 deg"}``.
@@ -85,12 +86,12 @@ class Vary(Section):
 
     table = "vary"
     key: str | Sequence[str]
-    uniform: Law | None = None
-    normal: Law | None = None
+    uniform: Distribution | None = None
+    normal: Distribution | None = None
     relative: Quantity | None = None
     log_normal: Mapping[str, Any] | None = None
-    log_uniform: Law | None = None
-    triangular: Law | None = None
+    log_uniform: Distribution | None = None
+    triangular: Distribution | None = None
     list_: npt.ArrayLike | None = None
     grid: Mapping[str, Any] | None = None
     direction: str | Mapping[str, Any] | None = None

@@ -62,7 +62,7 @@ def free_motion(inertia: Any, attitude: Any, omega: Any, times: Any) -> Motion:
     - A tensor is symmetric. Only the symmetric part of a tangent counts, and a gradient is
       symmetric, so that a step along it keeps the tensor symmetric. The sum of products of the
       gradient with a symmetric change is the change of the function. I_xy and I_yx have half of the
-      derivative each; :attr:`polhode.Derivatives.by_inertia` has them as one number.
+      derivative each; :attr:`polhode.results.Derivatives.by_inertia` has them as one number.
     - The quaternions q and −q are the same attitude. When the first quaternion passes w = 0, the
       sign of all of them changes. An objective function must not depend on the sign; R and
       (q · q₀)² do not.

@@ -26,9 +26,11 @@ from typing import Any, Callable, ClassVar, Mapping, Sequence
 import numpy.typing as npt
 
 from . import _arrays
+from ._deprecated import Former, former_keyword
 from ._error import PolhodeError
-from ._law import asked, formula_torque, where
-from ._section import Quantity, Section, plain, written
+from ._traced_function import asked, formula_torque, where
+from ._section import Section, plain, rotation, written
+from ._units import Quantity
 
 __all__ = [
     "Balance",
@@ -72,8 +74,8 @@ __all__ = [
 #: Three quantities, or an array (3,).
 Vector = npt.ArrayLike | Sequence[Quantity]
 
-#: A rotation: a ``scipy.spatial.transform.Rotation``, or a form used in files, such as
-#: ``{"euler313": [0, 0.3, 0]}``, ``{"quaternion": [w, x, y, z]}``, ``{"matrix": …}`` or
+#: A rotation: a quaternion (w, x, y, z), a matrix (3, 3), a ``scipy.spatial.transform.Rotation``, or
+#: a form used in files, such as ``{"euler313": [0, 0.3, 0]}`` or
 #: ``{"axis": [0, 0, 1], "angle": "90 deg"}``.
 Turn = Mapping[str, Any] | Any
 
@@ -91,7 +93,8 @@ class Part(Section):
     table = "part"
 
     def __init__(self, **keys: Any) -> None:
-        object.__setattr__(self, "_keys", {key: plain(f"part.{key}", value) for key, value in keys.items() if value is not None})
+        given = {key: value for key, value in keys.items() if value is not None}
+        object.__setattr__(self, "_keys", {key: (rotation if key == "rotate" else plain)(f"part.{key}", value) for key, value in given.items()})
 
     def to_dict(self) -> dict[str, Any]:
         """Returns the keys of the table and their values, as in files."""
@@ -118,7 +121,9 @@ class Start(Section):
     Parameters
     ----------
     attitude
-        Attitude R_space_body, a rotation. The default is body axes parallel to space axes. With
+        Attitude R_space_body: a quaternion (w, x, y, z), a matrix (3, 3), a
+        ``scipy.spatial.transform.Rotation``, or a form used in files, such as
+        ``{"euler313": [0, "30 deg", 0]}``. The default is body axes parallel to space axes. With
         ``relative_to="orbit"``, R_orbit_body.
     omega
         Angular velocity (3,), body axes, rad/s.
@@ -134,6 +139,7 @@ class Start(Section):
     """
 
     table = "start"
+    _ROTATIONS = frozenset({"attitude"})
     attitude: Turn | None = None
     omega: Vector | None = None
     omega_space: Vector | None = None
@@ -337,6 +343,7 @@ class Torsion(Torque):
     """
 
     model = "torsion"
+    _ROTATIONS = frozenset({"rest"})
     stiffness: Quantity
     rest: Turn | None = None
     axis: npt.ArrayLike | None = None
@@ -416,18 +423,19 @@ class FormulaTorque(Torque):
     units: str | None = None
 
 
+@former_keyword("law", "function")
 @dataclass(frozen=True, kw_only=True, repr=False)
 class FunctionTorque(Torque):
     """A torque that a Python function computes at each step.
 
-    Use it for laws that :func:`torque` cannot trace.
+    Use it for functions that :func:`torque` cannot trace.
 
     It has no power series, so DOP853 integrates it. No file can hold it. It always acts; the
     function receives the time.
 
     Parameters
     ----------
-    law
+    function
         A function with the parameters described in :func:`torque`. It is called with numbers and
         arrays at each stage of each step. :func:`polhode.simulate` raises its exceptions.
     axes
@@ -445,7 +453,7 @@ class FunctionTorque(Torque):
     >>> body = polhode.MassProperties(mass=1.0, inertia=[1.0, 2.0, 2.5])
     >>> pushed = polhode.Scenario(
     ...     body,
-    ...     torques=[FunctionTorque(law=lambda t: [0.0, 0.0, 0.5 if t < 2.0 else 0.0])],
+    ...     torques=[FunctionTorque(function=lambda t: [0.0, 0.0, 0.5 if t < 2.0 else 0.0])],
     ...     run=Run(duration=2.0, samples=2),
     ... )
     >>> float(polhode.simulate(pushed).omega[-1, 2].round(12))
@@ -456,23 +464,29 @@ class FunctionTorque(Torque):
     >>> import numpy as np
     >>> rng = np.random.default_rng(1)
     >>> drags, omega = rng.uniform(0.1, 0.3, 1000), rng.normal(size=(1000, 3))
-    >>> drag = FunctionTorque(law=lambda omega, member: -drags[member, None] * omega, vectorized=True)
+    >>> drag = FunctionTorque(function=lambda omega, member: -drags[member, None] * omega, vectorized=True)
     >>> states = polhode.Ensemble(moments=[1.0, 2.0, 2.5], omega=omega, torques=[drag]).at([0.0, 2.0])
     >>> states.omega.shape
     (1000, 2, 3)
     """
 
     model = "function"
-    law: Any
+    function: Any
     axes: str = "body"
     vectorized: bool = False
 
     def __post_init__(self) -> None:
-        if "kinetic_energy" in asked(self.law, vectorized=_arrays.truth("FunctionTorque.vectorized", self.vectorized)):
+        if "kinetic_energy" in asked(self.function, vectorized=_arrays.truth("FunctionTorque.vectorized", self.vectorized)):
             raise PolhodeError("a FunctionTorque does not receive kinetic_energy: for a body without wheels compute it as omega · momentum / 2")
         _arrays.choice("FunctionTorque.axes", self.axes, ["body", "space"])
         if (self.from_, self.until, self.pulses) != (None, None, None):
             raise PolhodeError("a FunctionTorque has no from_, until or pulses: use the time t in its function")
+
+    law = Former("FunctionTorque.law", "function")
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        # Copies of the former version have ``law``.
+        vars(self).update({"function" if name == "law" else name: value for name, value in state.items()})
 
     def to_dict(self) -> dict[str, Any]:
         """Returns a zero torque of the same name, for texts, which cannot hold the function."""
@@ -715,6 +729,7 @@ class Surface(Section):
     """
 
     table = "surface"
+    _ROTATIONS = frozenset({"rotate"})
     shape: str
     radius: Quantity | None = None
     semi_axes: Vector | None = None
@@ -1066,7 +1081,8 @@ class Pendulum(Section):
     amplitude: Quantity | None = None
 
 
-def torque(law: Any, *, axes: str = "body", **others: Any) -> FormulaTorque:
+@former_keyword("law", "function")
+def torque(function: Any, *, axes: str = "body", **others: Any) -> FormulaTorque:
     """Makes a torque from a function of the state that returns three components, N·m.
 
     The function is called once, with symbols for its parameters that have no default: ``t``, s;
@@ -1079,7 +1095,7 @@ def torque(law: Any, *, axes: str = "body", **others: Any) -> FormulaTorque:
 
     Parameters
     ----------
-    law
+    function
         Function of the state.
     axes
         Axes of the components: ``"body"`` or ``"space"``.
@@ -1095,4 +1111,4 @@ def torque(law: Any, *, axes: str = "body", **others: Any) -> FormulaTorque:
     >>> torque(brake).torque[0]
     '-0.05*wx*(1-exp(-t/2))'
     """
-    return FormulaTorque(axes=axes, torque=formula_torque(law), units="SI", **others)
+    return FormulaTorque(axes=axes, torque=formula_torque(function), units="SI", **others)

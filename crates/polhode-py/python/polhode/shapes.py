@@ -2,10 +2,11 @@
 
 Each function takes exactly one of ``density`` (kg/m³), ``mass`` (kg) and ``material`` (a name, such
 as ``"steel"``). Thin shapes take ``mass``, ``area_density`` (kg/m²) or ``line_density`` (kg/m).
-Lengths are in m. ``placed`` moves a shape, and ``+`` joins shapes.
+Lengths are in m, or text with a unit, such as ``"2 cm"``. ``placed`` moves a shape, and ``+`` joins
+shapes.
 
 >>> from polhode import shapes
->>> shapes.sphere(radius=0.02, mass=0.5).inertia[0, 0].round(9)
+>>> shapes.sphere(radius="2 cm", mass=0.5).inertia[0, 0].round(9)
 np.float64(8e-05)
 """
 
@@ -18,6 +19,7 @@ import numpy.typing as npt
 from . import _arrays, _native
 from ._mass_properties import MassProperties
 from ._substance import Given, given
+from ._units import Quantity
 
 
 def _shape(kind: str, lengths: Sequence[float], substance: Given, *, ends: bool = False) -> MassProperties:
@@ -25,7 +27,7 @@ def _shape(kind: str, lengths: Sequence[float], substance: Given, *, ends: bool 
 
 
 def box(
-    *, size: npt.ArrayLike, density: float | None = None, mass: float | None = None, material: str | None = None
+    *, size: npt.ArrayLike, density: Quantity | None = None, mass: Quantity | None = None, material: str | None = None
 ) -> MassProperties:
     """Returns a solid box with edges ``size`` (3,) along x, y and z, centred at the origin.
 
@@ -36,13 +38,13 @@ def box(
     return _shape("box", _arrays.triple("size", size), given(density=density, mass=mass, material=material))
 
 
-def box_shell(*, size: npt.ArrayLike, mass: float | None = None, area_density: float | None = None) -> MassProperties:
+def box_shell(*, size: npt.ArrayLike, mass: Quantity | None = None, area_density: Quantity | None = None) -> MassProperties:
     """Returns the six thin faces of a box with edges ``size`` (3,), centred at the origin."""
     return _shape("box_shell", _arrays.triple("size", size), given(mass=mass, area_density=area_density))
 
 
 def capsule(
-    *, radius: float, length: float, density: float | None = None, mass: float | None = None, material: str | None = None
+    *, radius: Quantity, length: Quantity, density: Quantity | None = None, mass: Quantity | None = None, material: str | None = None
 ) -> MassProperties:
     """Returns a cylinder along z with a half ball at each end, centred at the origin.
 
@@ -54,11 +56,11 @@ def capsule(
 
 def cone(
     *,
-    base_radius: float,
-    height: float,
-    top_radius: float = 0.0,
-    density: float | None = None,
-    mass: float | None = None,
+    base_radius: Quantity,
+    height: Quantity,
+    top_radius: Quantity = 0.0,
+    density: Quantity | None = None,
+    mass: Quantity | None = None,
     material: str | None = None,
 ) -> MassProperties:
     """Returns a cone or a truncated cone along z: its base at z = 0, its top at z = ``height``."""
@@ -72,12 +74,12 @@ def cone(
 
 def cone_shell(
     *,
-    base_radius: float,
-    height: float,
-    top_radius: float = 0.0,
+    base_radius: Quantity,
+    height: Quantity,
+    top_radius: Quantity = 0.0,
     ends: bool = False,
-    mass: float | None = None,
-    area_density: float | None = None,
+    mass: Quantity | None = None,
+    area_density: Quantity | None = None,
 ) -> MassProperties:
     """Returns the thin wall of a cone or a truncated cone along z, open or with ends.
 
@@ -97,11 +99,11 @@ def cone_shell(
 
 def cylinder(
     *,
-    radius: float,
-    length: float,
-    inner_radius: float = 0.0,
-    density: float | None = None,
-    mass: float | None = None,
+    radius: Quantity,
+    length: Quantity,
+    inner_radius: Quantity = 0.0,
+    density: Quantity | None = None,
+    mass: Quantity | None = None,
     material: str | None = None,
 ) -> MassProperties:
     """Returns a cylinder along z, centred at the origin.
@@ -121,41 +123,41 @@ def cylinder(
 
 
 def cylinder_shell(
-    *, radius: float, length: float, ends: bool = False, mass: float | None = None, area_density: float | None = None
+    *, radius: Quantity, length: Quantity, ends: bool = False, mass: Quantity | None = None, area_density: Quantity | None = None
 ) -> MassProperties:
     """Returns the thin wall of a cylinder along z, open or with ends, centred at the origin."""
     lengths = [_arrays.number("radius", radius), _arrays.number("length", length)]
     return _shape("cylinder_shell", lengths, given(mass=mass, area_density=area_density), ends=_arrays.truth("ends", ends))
 
 
-def disk(*, radius: float, mass: float | None = None, area_density: float | None = None) -> MassProperties:
+def disk(*, radius: Quantity, mass: Quantity | None = None, area_density: Quantity | None = None) -> MassProperties:
     """Returns a thin disk in the x-y plane, centred at the origin."""
     return _shape("disk", [_arrays.number("radius", radius)], given(mass=mass, area_density=area_density))
 
 
 def ellipsoid(
-    *, semi_axes: npt.ArrayLike, density: float | None = None, mass: float | None = None, material: str | None = None
+    *, semi_axes: npt.ArrayLike, density: Quantity | None = None, mass: Quantity | None = None, material: str | None = None
 ) -> MassProperties:
     """Returns a solid ellipsoid with ``semi_axes`` (3,) along x, y and z, centred at the origin."""
     return _shape("ellipsoid", _arrays.triple("semi_axes", semi_axes), given(density=density, mass=mass, material=material))
 
 
-def plate(*, size: npt.ArrayLike, mass: float | None = None, area_density: float | None = None) -> MassProperties:
+def plate(*, size: npt.ArrayLike, mass: Quantity | None = None, area_density: Quantity | None = None) -> MassProperties:
     """Returns a thin plate with edges ``size`` (2,) along x and y, centred at the origin."""
     return _shape("plate", _arrays.numbers("size", size, (2,)).tolist(), given(mass=mass, area_density=area_density))
 
 
-def rod(*, length: float, mass: float | None = None, line_density: float | None = None) -> MassProperties:
+def rod(*, length: Quantity, mass: Quantity | None = None, line_density: Quantity | None = None) -> MassProperties:
     """Returns a thin rod along z, centred at the origin."""
     return _shape("rod", [_arrays.number("length", length)], given(mass=mass, line_density=line_density))
 
 
 def sphere(
     *,
-    radius: float,
-    inner_radius: float = 0.0,
-    density: float | None = None,
-    mass: float | None = None,
+    radius: Quantity,
+    inner_radius: Quantity = 0.0,
+    density: Quantity | None = None,
+    mass: Quantity | None = None,
     material: str | None = None,
 ) -> MassProperties:
     """Returns a ball, centred at the origin.
@@ -166,13 +168,13 @@ def sphere(
     return _shape("sphere", lengths, given(density=density, mass=mass, material=material))
 
 
-def sphere_shell(*, radius: float, mass: float | None = None, area_density: float | None = None) -> MassProperties:
+def sphere_shell(*, radius: Quantity, mass: Quantity | None = None, area_density: Quantity | None = None) -> MassProperties:
     """Returns a thin spherical shell, centred at the origin."""
     return _shape("sphere_shell", [_arrays.number("radius", radius)], given(mass=mass, area_density=area_density))
 
 
 def tetrahedron(
-    *, vertices: npt.ArrayLike, density: float | None = None, mass: float | None = None, material: str | None = None
+    *, vertices: npt.ArrayLike, density: Quantity | None = None, mass: Quantity | None = None, material: str | None = None
 ) -> MassProperties:
     """Returns a solid tetrahedron with the given ``vertices`` (4, 3)."""
     lengths = _arrays.numbers("vertices", vertices, (4, 3)).ravel().tolist()
@@ -181,10 +183,10 @@ def tetrahedron(
 
 def torus(
     *,
-    ring_radius: float,
-    tube_radius: float,
-    density: float | None = None,
-    mass: float | None = None,
+    ring_radius: Quantity,
+    tube_radius: Quantity,
+    density: Quantity | None = None,
+    mass: Quantity | None = None,
     material: str | None = None,
 ) -> MassProperties:
     """Returns a solid torus about z, centred at the origin.
@@ -195,7 +197,7 @@ def torus(
     return _shape("torus", lengths, given(density=density, mass=mass, material=material))
 
 
-def triangular_plate(*, vertices: npt.ArrayLike, mass: float | None = None, area_density: float | None = None) -> MassProperties:
+def triangular_plate(*, vertices: npt.ArrayLike, mass: Quantity | None = None, area_density: Quantity | None = None) -> MassProperties:
     """Returns a thin triangular plate in the x-y plane with the given ``vertices`` (3, 2).
 
     >>> from polhode import shapes
@@ -207,7 +209,7 @@ def triangular_plate(*, vertices: npt.ArrayLike, mass: float | None = None, area
 
 
 def triangular_prism(
-    *, vertices: npt.ArrayLike, length: float, density: float | None = None, mass: float | None = None, material: str | None = None
+    *, vertices: npt.ArrayLike, length: Quantity, density: Quantity | None = None, mass: Quantity | None = None, material: str | None = None
 ) -> MassProperties:
     """Returns a solid triangular prism along z, from z = −``length``/2 to ``length``/2.
 

@@ -22,6 +22,7 @@ from typing import Any, Callable, Iterator, NamedTuple, Sequence
 
 from . import _arrays, _cluster, _html, _native, batch
 from ._error import PolhodeError, PolhodeWarning
+from ._units import Quantity
 from .batch import Plan
 
 import pyarrow as pa  # after batch, whose error explains the installation
@@ -56,7 +57,7 @@ def run(
     resume: bool = False,
     force: bool = False,
     progress: Callable[[int, int], object] = lambda done, members: None,
-    worker_timeout: float | None = 600.0,
+    worker_timeout: Quantity | None = 600.0,
 ) -> Summary:
     """Computes the members of a plan into the folder ``output``.
 

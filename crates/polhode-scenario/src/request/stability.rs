@@ -48,39 +48,11 @@ pub struct Request {
 /// Finds the steady motions of a scenario's body and their stability.
 ///
 /// # Errors
-/// [`Failure`] if a file cannot be read, and for prescribed motions, changing bodies, or gimbals.
+/// [`Failure`] if the file cannot be read, or [its motion](Stability::of_scenario) has no steady
+/// motions.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Stability, Failure> {
-    let ScenarioFile { scenario, path, .. } = ScenarioFile::read(files, &request.file)?;
-    let name = shown(&path);
-    if scenario.prescribed().is_some() {
-        let hint = "leave out [prescribed]; polhode explain prints the torque that the motion needs";
-        return Err(Failure::usage(format!("the motion of {name} is prescribed: it has no stability"), hint));
-    }
-    if scenario.history().is_some() {
-        let hint = "polhode simulate computes its motion; leave out [mass_history] for the body as it is at the start";
-        return Err(Failure::usage(
-            format!("the mass properties of {name} change: no motion of it is steady"),
-            hint,
-        ));
-    }
-    if matches!(scenario.mechanism(), Mechanism::Gimbals(_)) {
-        return Err(Failure::usage(
-            format!("the body of {name} is in gimbals: the stability of its steady motions is not computed"),
-            "compute its motion with polhode simulate, from a start near the steady motion",
-        ));
-    }
-    let source = source(&path, &scenario);
-    Ok(match scenario.ground() {
-        Some(ground) => {
-            let report = GroundStabilityReport::of_scenario(source, &scenario, ground);
-            let report = report.map_err(|error| Failure::of_motion(&path, error))?;
-            Stability::OnGround(Box::new(report.verbose(request.verbose)))
-        }
-        None => {
-            let report = StabilityReport::of_scenario(source, &scenario);
-            Stability::Free(Box::new(report.verbose(request.verbose)))
-        }
-    })
+    let file = ScenarioFile::read(files, &request.file)?;
+    Ok(Stability::of_scenario(&file)?.verbose(request.verbose))
 }
 
 /// Stability of the steady motions of a body.
@@ -90,6 +62,51 @@ pub enum Stability {
     Free(Box<StabilityReport>),
     /// Body on the ground: the steady motion closest to the start.
     OnGround(Box<GroundStabilityReport>),
+}
+
+impl Stability {
+    /// Finds the steady motions of a scenario's body and their stability.
+    ///
+    /// # Errors
+    /// [`Failure`] for prescribed motions, changing bodies, and gimbals.
+    pub fn of_scenario(ScenarioFile { scenario, path, .. }: &ScenarioFile) -> Result<Self, Failure> {
+        let name = shown(path);
+        if scenario.prescribed().is_some() {
+            return Err(Failure::usage(
+                format!("the motion of {name} is prescribed, so its stability is not defined"),
+                "delete [prescribed], or use `polhode explain` for the torque that the motion requires",
+            ));
+        }
+        if scenario.history().is_some() {
+            return Err(Failure::usage(
+                format!("the mass properties of {name} change, so steady motions are not defined"),
+                "`polhode simulate` computes its motion; delete [mass_history] for the body at the start",
+            ));
+        }
+        if matches!(scenario.mechanism(), Mechanism::Gimbals(_)) {
+            return Err(Failure::usage(
+                format!("the body of {name} is in gimbals, whose steady motions are not computed"),
+                "`polhode simulate` computes its motion: start close to the steady one",
+            ));
+        }
+        let source = source(path, scenario);
+        Ok(match scenario.ground() {
+            Some(ground) => {
+                let report = GroundStabilityReport::of_scenario(source, scenario, ground);
+                Self::OnGround(Box::new(report.map_err(|error| Failure::of_motion(path, error))?))
+            }
+            None => Self::Free(Box::new(StabilityReport::of_scenario(source, scenario))),
+        })
+    }
+
+    /// Returns the report with or without details in its text.
+    #[must_use]
+    pub fn verbose(self, verbose: bool) -> Self {
+        match self {
+            Self::Free(report) => Self::Free(Box::new(report.verbose(verbose))),
+            Self::OnGround(report) => Self::OnGround(Box::new(report.verbose(verbose))),
+        }
+    }
 }
 
 impl Report for Stability {

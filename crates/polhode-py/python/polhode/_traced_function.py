@@ -1,4 +1,4 @@
-"""Torque laws that are Python functions, traced with symbols to obtain formulas."""
+"""Torques that are Python functions, traced with symbols to obtain formulas."""
 
 from __future__ import annotations
 
@@ -105,20 +105,20 @@ class Symbol:
         return self._join(other, ">=", _COMPARISON)
 
     def __eq__(self, other: object) -> NoReturn:
-        raise TypeError("a law compares a symbol for equality, but its value is unknown when the law is traced: compare with < or >")
+        raise TypeError("the function compares a symbol for equality, but its value is unknown when the function is traced: compare with < or >")
 
     def __ne__(self, other: object) -> NoReturn:
-        raise TypeError("a law compares a symbol for equality, but its value is unknown when the law is traced: compare with < or >")
+        raise TypeError("the function compares a symbol for equality, but its value is unknown when the function is traced: compare with < or >")
 
     __hash__ = object.__hash__
 
     def __bool__(self) -> NoReturn:
         raise TypeError(
-            "a law branches on a symbol, whose value is unknown when the law is traced: use polhode.scenario.where(condition, then, otherwise)"
+            "the function branches on a symbol, whose value is unknown when the function is traced: use polhode.scenario.where(condition, then, otherwise)"
         )
 
     def __float__(self) -> NoReturn:
-        raise TypeError("a law converts a symbol to a number, but its value is unknown when the law is traced: use NumPy's functions, not those of math")
+        raise TypeError("the function converts a symbol to a number, but its value is unknown when the function is traced: use NumPy's functions, not those of math")
 
     __int__ = __index__ = __complex__ = __float__
 
@@ -159,7 +159,7 @@ def _symbol(value: object) -> Symbol | None:
         return Symbol(str(int(value)))
     if not isinstance(value, (int, float, np.integer, np.floating)):
         return None
-    number = _arrays.number("a number of a law", value)
+    number = _arrays.number("a number of a function", value)
     text = repr(abs(number)).removesuffix(".0")
     return Symbol(f"-{text}", _SIGN) if math.copysign(1.0, number) < 0.0 else Symbol(text)
 
@@ -236,13 +236,13 @@ def _applied(ufunc: np.ufunc, method: str, inputs: tuple[Any, ...], options: dic
         return _unwrapped(np.matmul(*(np.asarray(one, dtype=object) for one in inputs)))
     function = _FUNCTIONS.get(ufunc)
     if function is None or set(options) - {"axis", "keepdims"}:
-        raise TypeError(f"a law cannot use np.{ufunc.__name__} on a symbol: formulas do not have this function")
+        raise TypeError(f"the function cannot use np.{ufunc.__name__} on a symbol: formulas do not have this function")
 
     def of(*values: Any) -> Symbol:
         given = [_symbol(value) for value in values]
         for value, one in zip(values, given):
             if one is None:
-                raise TypeError(f"a law uses {type(value).__name__} as a number")
+                raise TypeError(f"the function uses {type(value).__name__} as a number")
         return function(*given)  # type: ignore[no-any-return]
 
     if method == "__call__":
@@ -253,7 +253,7 @@ def _applied(ufunc: np.ufunc, method: str, inputs: tuple[Any, ...], options: dic
         axis = options.get("axis", 0)
         rows = rows.reshape(-1) if axis is None else np.moveaxis(rows, axis, 0)
         return _unwrapped(reduce(np.frompyfunc(of, 2, 1), rows))
-    raise TypeError(f"a law cannot use np.{ufunc.__name__}.{method} on symbols")
+    raise TypeError(f"the function cannot use np.{ufunc.__name__}.{method} on symbols")
 
 
 def _unwrapped(found: Any) -> Any:
@@ -295,7 +295,7 @@ class Attitude:
         return (matrix.T if inverse else matrix) @ np.asarray(vector)
 
 
-#: Parts of the state that a law may take, by the names of its parameters.
+#: Parts of the state that a function may take, by the names of its parameters.
 _STATE: dict[str, Callable[[], Any]] = {
     "t": lambda: Symbol("t"),
     "omega": lambda: array([Symbol(f"w{axis}") for axis in "xyz"]),
@@ -307,42 +307,42 @@ _STATE: dict[str, Callable[[], Any]] = {
 }
 
 
-def asked(law: Any, *, vectorized: bool = False) -> list[str]:
-    """Returns the parts of the state that a law takes: the names of its parameters without a
+def asked(function: Any, *, vectorized: bool = False) -> list[str]:
+    """Returns the parts of the state that a function takes: the names of its parameters without a
     default."""
-    if not callable(law):
-        raise TypeError(f"law must be a function, not {type(law).__name__}")
+    if not callable(function):
+        raise TypeError(f"function must be a function of the state, not {type(function).__name__}")
     known = [*_STATE, "member"] if vectorized else [*_STATE]
     needed = [
         one.name
-        for one in inspect.signature(law).parameters.values()
+        for one in inspect.signature(function).parameters.values()
         if one.default is one.empty and one.kind in (one.POSITIONAL_ONLY, one.POSITIONAL_OR_KEYWORD, one.KEYWORD_ONLY)
     ]
     unknown = [name for name in needed if name not in known]
     if unknown:
         hint = f"use parameters from {', '.join(known)}; give other parameters a default value"
-        raise PolhodeError(f"a law has the parameter {unknown[0]}, which is not part of the state", hint)
+        raise PolhodeError(f"the function has the parameter {unknown[0]}, which is not part of the state", hint)
     return needed
 
 
-def formula_torque(law: Any) -> tuple[str, ...]:
-    """Returns the formulas of the three components of a law."""
-    given = {name: _STATE[name]() for name in asked(law)}
-    found = np.asarray(called_with(law, given), dtype=object)
+def formula_torque(function: Any) -> tuple[str, ...]:
+    """Returns the formulas of the three components of a function."""
+    given = {name: _STATE[name]() for name in asked(function)}
+    found = np.asarray(called_with(function, given), dtype=object)
     if found.shape != (3,):
-        raise PolhodeError(f"a law must give three components, of shape (3,), not {found.shape}")
+        raise PolhodeError(f"the function must return three components, of shape (3,), not {found.shape}")
     components = [_symbol(component) for component in found]
     for component, one in zip(found, components):
         if one is None:
-            raise TypeError(f"a law must give numbers or symbols, not {type(component).__name__}")
+            raise TypeError(f"the function must return numbers or symbols, not {type(component).__name__}")
     return tuple(one.text for one in components if one is not None)
 
 
-def called_with(law: Any, given: dict[str, Any]) -> Any:
-    """Calls a law with the parts of the state that it takes.
+def called_with(function: Any, given: dict[str, Any]) -> Any:
+    """Calls a function with the parts of the state that it takes.
 
     Parameters before a ``/`` are positional.
     """
-    kinds = inspect.signature(law).parameters
+    kinds = inspect.signature(function).parameters
     first = [value for name, value in given.items() if kinds[name].kind is inspect.Parameter.POSITIONAL_ONLY]
-    return law(*first, **{name: value for name, value in given.items() if kinds[name].kind is not inspect.Parameter.POSITIONAL_ONLY})
+    return function(*first, **{name: value for name, value in given.items() if kinds[name].kind is not inspect.Parameter.POSITIONAL_ONLY})

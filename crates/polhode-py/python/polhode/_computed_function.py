@@ -10,55 +10,55 @@ import numpy.typing as npt
 from . import _arrays
 from ._arrays import Floats
 from ._error import PolhodeError
-from ._law import asked, called_with
+from ._traced_function import asked, called_with
 
 #: Largest difference between the torque of a member alone and among others, relative to the
 #: greatest torque. Sums of different lengths round differently.
 ALONE = 1e-9
 
 
-def computed(law: Any) -> Callable[..., tuple[float, ...]]:
-    """Returns a torque law as a function of plain numbers: time, ω, attitude quaternion and L, body
+def computed(function: Any) -> Callable[..., tuple[float, ...]]:
+    """Returns the function of a torque as one of plain numbers: time, ω, attitude quaternion and L, body
     axes."""
-    needed = asked(law)
+    needed = asked(function)
 
     def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
         state = State(t, np.array(omega), np.array(quaternion), np.array(momentum), 0)
-        torque = _arrays.real("the torque of a law", called_with(law, {name: getattr(state, name) for name in needed}))
+        torque = _arrays.real("the torque of a function", called_with(function, {name: getattr(state, name) for name in needed}))
         if torque.shape != (3,):
-            raise PolhodeError(f"a law must give three components, of shape (3,), not {torque.shape}")
+            raise PolhodeError(f"the function must return three components, of shape (3,), not {torque.shape}")
         return tuple(torque.tolist())
 
     return of
 
 
-def measured(law: Any) -> Callable[..., float]:
-    """Returns an event measure as a function of plain numbers: time, ω, attitude quaternion and L,
+def measured(function: Any) -> Callable[..., float]:
+    """Returns the function of an event as one of plain numbers: time, ω, attitude quaternion and L,
     body axes."""
-    needed = asked(law)
+    needed = asked(function)
 
     def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> float:
         state = State(t, np.array(omega), np.array(quaternion), np.array(momentum), 0)
-        value = called_with(law, {name: getattr(state, name) for name in needed})
+        value = called_with(function, {name: getattr(state, name) for name in needed})
         return _arrays.number(f"what an event measures at t = {t} s", value)
 
     return of
 
 
-def needs_momentum(law: Any) -> bool:
-    """Returns true if a law takes L, which depends on the body."""
-    return any(name.startswith("momentum") for name in asked(law))
+def needs_momentum(function: Any) -> bool:
+    """Returns true if a function takes L, which depends on the body."""
+    return any(name.startswith("momentum") for name in asked(function))
 
 
-def computed_of_many(law: Any) -> Callable[..., Floats]:
-    """Returns a vectorised law as a function of times (n,), ω (n, 3), quaternions (n, 4), L (n, 3)
+def computed_of_many(function: Any) -> Callable[..., Floats]:
+    """Returns a vectorised function as one of times (n,), ω (n, 3), quaternions (n, 4), L (n, 3)
     and members (n,), body axes."""
-    needed = asked(law, vectorized=True)
+    needed = asked(function, vectorized=True)
 
     def rows(state: State) -> Floats:
-        torque = _arrays.real("the torque of a law", called_with(law, {name: getattr(state, name) for name in needed}))
+        torque = _arrays.real("the torque of a function", called_with(function, {name: getattr(state, name) for name in needed}))
         if torque.shape != (len(state.t), 3):
-            rule = f"a vectorised law must give a row for each member, of shape ({len(state.t)}, 3)"
+            rule = f"a vectorised function must return a row for each member, of shape ({len(state.t)}, 3)"
             raise PolhodeError(f"{rule}, not {torque.shape}")
         return torque
 
@@ -67,11 +67,11 @@ def computed_of_many(law: Any) -> Callable[..., Floats]:
     def of(*given: Any) -> Floats:
         nonlocal is_known
         state = State(*given)
-        # A law may modify the arrays that it receives.
+        # A function may modify the arrays that it receives.
         last = None if is_known or len(state.t) < 2 else State(*(array[-1:].copy() for array in given))
         found = rows(state)
         if last is not None:
-            # A law written for one body may take a row for a component, and still return the right
+            # A function written for one body may take a row for a component, and still return the right
             # shape.
             alone = rows(last)
             if np.isfinite(found).all() and not np.abs(alone - found[-1:]).max() <= ALONE * np.abs(found).max():
@@ -83,9 +83,9 @@ def computed_of_many(law: Any) -> Callable[..., Floats]:
     return of
 
 
-def computed_of_one(law: Any) -> Callable[..., tuple[float, ...]]:
-    """Returns a vectorised law as a function for a single body."""
-    many = computed_of_many(law)
+def computed_of_one(function: Any) -> Callable[..., tuple[float, ...]]:
+    """Returns a vectorised function as one for a single body."""
+    many = computed_of_many(function)
 
     def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
         alone = (np.array([t]), np.array([omega]), np.array([quaternion]), np.array([momentum]), np.array([0]))
@@ -95,7 +95,7 @@ def computed_of_one(law: Any) -> Callable[..., tuple[float, ...]]:
 
 
 class State(NamedTuple):
-    """State of one body, or rows of states of many, by the names that laws use."""
+    """State of one body, or rows of states of many, by the names of the parameters of functions."""
 
     t: Any
     omega: Floats

@@ -18,7 +18,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
     ("polhode-budget", &SLICE),
     ("polhode-sweep", &SLICE),
     ("polhode-web", &WITH_ROBOT),
-    ("polhode-live", FRONT.split_at(12).0),
+    ("polhode-live", &["polhode-source", "polhode-web"]),
     ("polhode-cli", FRONT.split_at(13).0),
     ("polhode-py", &FRONT),
 ];

@@ -287,12 +287,16 @@ fn unreadable(name: &str, error: &str) -> Refusal {
     Refusal::new(RefusalKind::Unprocessable, format!("{name:?} cannot be read: {error}"))
 }
 
-/// Returns a stamp that changes when one of the files is written to.
+/// Returns a stamp that changes when one of the files is written to. Files without a time of
+/// change, such as those in memory, are compared by their contents.
 fn stamp<'a>(files: &dyn Files, paths: impl Iterator<Item = &'a Path>) -> String {
     let mut hasher = DefaultHasher::new();
     for path in paths {
         let look = files.look(path).ok().filter(Look::is_file);
         look.map(|look| (look.length, look.changed)).hash(&mut hasher);
+        if look.is_some_and(|look| look.changed.is_none()) {
+            read(files, path).ok().hash(&mut hasher);
+        }
     }
     format!("{:016x}", hasher.finish())
 }

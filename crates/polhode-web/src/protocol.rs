@@ -23,7 +23,7 @@ pub struct DocumentInfo {
     /// True if the file is a single mesh, which can be inspected.
     #[serde(rename = "mesh")]
     pub is_mesh: bool,
-    /// Hash of the sizes and times of its files: it changes when one is written to.
+    /// Hash of the state of its files: it changes when one is written to.
     pub stamp: String,
 }
 

@@ -8,7 +8,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("nmae,mass\na,1\n", "list.csv:1:1: unknown key \"nmae\" in the headings | did you mean name?"),
     (
         "name,maas [g]\na,1\n",
-        "list.csv:1:6: unknown key \"maas [g]\" in the headings | did you mean mass? or add ignore = [\"maas [g]\"]",
+        "list.csv:1:6: unknown key \"maas [g]\" in the headings | did you mean mass? or add # ignore = [\"maas [g]\"]",
     ),
     (
         "name,mass,colour\na,1,red\n",
@@ -50,7 +50,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ),
     (
         "name;mass\na;1,250\n",
-        "list.csv:2:3: is this a decimal mark or a thousands separator? The file has only 1,250 | write decimal",
+        "list.csv:2:3: is this a decimal mark or a thousands separator? The file has only 1,250 | write # decimal",
     ),
     (
         "# decimal = \"comma\"\nname;mass\na;1.250,5\n",

@@ -151,8 +151,8 @@ impl Route {
         match self {
             Self::Asset(kind, body) => Ok(bytes(StatusCode::OK, kind, *body)),
             Self::Documents => json(&engine.documents(&Disk)),
-            Self::Document(id) => content(engine.document(*id, &Disk, &inspected)?),
-            Self::Mesh(id) => content(DocumentContent::Mesh { mesh: engine.mesh(*id, &Disk, &inspected)? }),
+            Self::Document(id) => content(&engine.document(*id, &Disk, &inspected)?),
+            Self::Mesh(id) => content(&DocumentContent::Mesh { mesh: engine.mesh(*id, &Disk, &inspected)? }),
             Self::Lessons => json(&serde_json::json!({ "lessons": engine.lessons(&Disk) })),
             Self::Lesson(id) => json(&engine.lesson(id, &Disk, &Within::new(limits::MOTION, stop))?),
             Self::Motion => {
@@ -181,16 +181,16 @@ struct OpenRequest {
 }
 
 /// Answers with the contents of a document. Rows of a mesh are not copied.
-fn content(content: DocumentContent) -> Result<Answer, Refusal> {
+fn content(content: &DocumentContent) -> Result<Answer, Refusal> {
     struct RowsOf(Arc<MeshInspection>);
     impl AsRef<[u8]> for RowsOf {
         fn as_ref(&self) -> &[u8] {
             self.0.rows()
         }
     }
-    match &content {
-        DocumentContent::Mesh { mesh } => json_and_rows(&content, Bytes::from_owner(RowsOf(mesh.clone()))),
-        _ => json(&content),
+    match content {
+        DocumentContent::Mesh { mesh } => json_and_rows(content, Bytes::from_owner(RowsOf(mesh.clone()))),
+        _ => json(content),
     }
 }
 

@@ -31,7 +31,7 @@ mass = \"0.6 kg\"
 
 [[torque]]
 model = \"energy_sink\"
-rate = 3e-3
+coefficient = \"0.9 /(N m s)\"
 
 [start]
 spin = { body = [\"0.4 rad/s\", \"-2.1 rad/s\", \"1.3 rad/s\"] }

@@ -1,11 +1,14 @@
 //! Requests that are refused: each has an answer with its kind.
 
+use std::sync::atomic::{AtomicU32, Ordering};
+
 use serde_json::json;
 
 use crate::session::{Session, motion};
 
 const TEXT: &str = "[[body.part]]\nshape = \"box\"\nsize = [\"3 m\", \"2 m\", \"1 m\"]\nmass = 4\n\
-                    [start]\nspin = { body = [0.2, 1, -0.3] }\n[run]\nduration = \"2 s\"\nsamples = 5\n";
+                    [start]\nspin = { body = [0.2, 1, -0.3] }\n[run]\nduration = \"2 s\"\nsamples = 5\n\
+                    [[torque]]\nmodel = \"energy_sink\"\ncoefficient = \"0.3 /(N m s)\"\n";
 
 fn session() -> Session {
     let mut session = Session::default();
@@ -16,7 +19,7 @@ fn session() -> Session {
 #[test]
 fn wrong_json_is_a_bad_request() {
     let session = session();
-    let complete = motion(TEXT, &json!([])).to_string();
+    let whole = motion(TEXT, &json!([])).to_string();
     for request in [
         "",
         "{",
@@ -30,9 +33,9 @@ fn wrong_json_is_a_bad_request() {
         "{\"document\":{\"id\":0,\"name\":\"a\"}}",
         "{\"document\":{\"id\":0},\"mesh\":{\"id\":0}}",
         "{\"open\":{\"path\":7}}",
-        &complete.replace("\"edits\":[]", "\"edits\":[{\"turn\":1}]"),
-        &complete.replace("\"working\"", "\"works\""),
-        &complete[..complete.len() - 1],
+        &whole.replace("\"edits\":[]", "\"edits\":[{\"turn\":1}]"),
+        &whole.replace("\"working\"", "\"works\""),
+        &whole[..whole.len() - 1],
         "\u{feff}\"documents\"",
     ] {
         let answer = session.engine.answer(request.as_bytes(), &session.files, &|| true);
@@ -102,14 +105,15 @@ fn a_cancelled_request_is_refused_and_leaves_nothing() {
         let answer = session.ask_watched(&message, &|| false);
         assert_eq!(answer.refusal(), ["ended", "the request was cancelled"], "{message}");
     }
-    // Cancelled at each later check, the answer is a refusal or complete.
+    // Cancelled at any later check, it is refused as well.
     let whole = session.motion(TEXT, &json!([])).json;
-    for most in 1..40 {
-        let calls = std::sync::atomic::AtomicU32::new(0);
-        let goes_on = || calls.fetch_add(1, std::sync::atomic::Ordering::Relaxed) < most;
-        let answer = session.ask_watched(&motion(TEXT, &json!([])), &goes_on);
-        let is_complete = answer.json == whole;
-        assert!(is_complete || answer.refusal()[0] == "ended", "{most}");
-    }
+    let cancelled_after = |most: u32| {
+        let calls = AtomicU32::new(0);
+        let goes_on = || calls.fetch_add(1, Ordering::Relaxed) < most;
+        session.ask_watched(&motion(TEXT, &json!([])), &goes_on)
+    };
+    let mut answers = (1..).map(cancelled_after).take_while(|answer| answer.json != whole);
+    assert!(answers.next().is_some());
+    answers.for_each(|answer| assert_eq!(answer.refusal()[0], "ended"));
     assert_eq!(session.ask(&json!("documents")).json["documents"].as_array().unwrap().len(), 1);
 }

@@ -415,16 +415,16 @@ mod tests {
     fn units_have_a_size_that_people_read() {
         use Quantity::{Angle, Angles, Duration, Energy, Number, Range, Rate, Vector};
         for (value, shown) in [
-            (Energy(1.945_152e-7), "0.1945152 µJ"),
-            (Energy(0.002_337_246), "2.337246 mJ"),
-            (Energy(6.214_474e-22), "6.214474e-22 J"),
+            (Energy(1.945_152e-7), "0.194515 µJ"),
+            (Energy(0.002_337_246), "2.33725 mJ"),
+            (Energy(6.214_474e-22), "6.21447e-22 J"),
             (Energy(0.0), "0 J"),
-            (Rate(1.109_695e-3), "1.109695 mrad/s (0.0635808 deg/s)"),
+            (Rate(1.109_695e-3), "1.1097 mrad/s (0.0635808 deg/s)"),
             (Rate(8e12), "8e12 rad/s (4.58366e14 deg/s)"),
             (Vector([3.14e-5, -0.001_103, 0.0], "rad/s"), "(0.0314, -1.103, 0) mrad/s"),
             (Range([1.026_65e-5, 1.054_86e-5], "rad/s"), "10.2665 … 10.5486 µrad/s"),
             (Range([0.4, 0.4], "rad/s"), "0.4 rad/s"),
-            (Duration(5.634_747e-12), "5.634747 ps"),
+            (Duration(5.634_747e-12), "5.63475 ps"),
             (Duration(463_841.0), "463841 s (5.36853 d)"),
             (Duration(9_000.0), "9000 s"),
             (Vector([4.5e-4, 0.0, -1.26e-5], "kg·m²"), "(4.5, 0, -0.126) ×10⁻⁴ kg·m²"),

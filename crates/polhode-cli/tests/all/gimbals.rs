@@ -12,7 +12,7 @@ fn the_gyrocompass_is_simulated() {
     let text = stdout(&scratch.run(&arguments));
     for line in [
         "the equations of a rotor in gimbals have Taylor series",
-        "ω of the base       (0, 44.89474, 57.46265) µrad/s",
+        "ω of the base       (0, 44.8947, 57.4627) µrad/s",
         "inner axis          (1, 0, 0), with all angles zero, locked at 0 rad (0°)",
         "T + U − works of the axes and the base; relative, worst sample",
         "outer angle         30° → ",

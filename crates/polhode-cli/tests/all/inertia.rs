@@ -332,7 +332,7 @@ fn a_shape_needs_no_file() {
     let text = stdout(&of(&["--mass", "2.3 kg"]));
     for line in [
         "box   a = 0.62 m, b = 0.38 m, c = 0.14 m; edges along x, y, z; centre at the origin",
-        "mass             2.3 kg   (69.73078 kg/m³ × 0.032984 m³)",
+        "mass             2.3 kg   (69.7308 kg/m³ × 0.032984 m³)",
         "inertia about (-0.31, -0.19, -0.07) m, along body axes, off-diagonal = -∫xy dm, in kg·m²",
         "    -0.135470   0.309733  -0.030590",
     ] {

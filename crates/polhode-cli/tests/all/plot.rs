@@ -17,7 +17,7 @@ fn plots_are_written_beside_the_results() {
         scratch.run(&all)
     };
     let text = stdout(&run(&["--plot", "all.svg", "--plot", "polhodes=fig/sphere.SVG"]));
-    assert!(text.contains("\nwrote all.svg  fig/sphere.SVG\nopen out/report.html in a browser"), "{text}");
+    assert!(text.contains("\nwrote all.svg, fig/sphere.SVG\nopen out/report.html in a browser"), "{text}");
     assert_eq!(scratch.entries(), ["all.svg", "fig", "out"]);
     let svg = fs::read_to_string(scratch.0.join("all.svg")).unwrap();
     assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n") && svg.len() < 200_000);

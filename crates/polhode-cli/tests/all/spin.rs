@@ -486,7 +486,7 @@ fn curves_are_written_beside_the_summary() {
     let scratch = Scratch::new("spin-curves");
     let text = stdout(&spin(&scratch, &plate(&["--curves", "-o", "curves"])));
     assert!(
-        text.contains("polhode.csv  momentum.csv  herpolhode.csv  body_cone.csv  space_cone.csv"),
+        text.contains("polhode.csv, momentum.csv, herpolhode.csv, body_cone.csv, space_cone.csv"),
         "{text}"
     );
     let folder = scratch.0.join("curves");

@@ -11,7 +11,7 @@ const STARTERS: [(&str, i32, &str); 13] = [
     ("bat", 0, "Flips every 1.612 s"),
     ("top", 0, "precess"),
     ("drone", 0, "Torque N: drag"),
-    ("pencil", 0, "Spins about axes 1 and 3 are stable; about axis 2 unstable"),
+    ("pencil", 0, "Spin about axis 3 is stable; about axes 1 and 2 unstable"),
     ("satellite", 0, "momentum wheel"),
     ("asteroid", 0, "wrote asteroid/: summary.json, trajectory.csv"),
     ("moon", 0, "gravity gradient"),

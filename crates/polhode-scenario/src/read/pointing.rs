@@ -56,7 +56,7 @@ pub(crate) fn pointings(root: &Table<'_>, references: &References<'_>) -> Result
         pointings.push(match table.get("limit") {
             Some(limit) => {
                 let angle = limit.quantity(Dimension::ANGLE)?;
-                pointing.with_limit(angle).map_err(|error| limit.motion(error))?
+                pointing.with_limit(angle).map_err(|_| limit.invalid("between 0 and 180 degrees"))?
             }
             None => pointing,
         });

@@ -147,7 +147,7 @@ fn the_text_and_the_formats_name_the_shape() {
         answer(&brick).unwrap().to_text(None),
         "\
 box   a = 0.62 m, b = 0.38 m, c = 0.14 m; edges along x, y, z; centre at the origin
-mass             2.3 kg   (69.73078 kg/m³ × 0.032984 m³)
+mass             2.3 kg   (69.7308 kg/m³ × 0.032984 m³)
 surface area     0.7512 m²
 centre of mass   0  0  0  m
 

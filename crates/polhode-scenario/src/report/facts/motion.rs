@@ -99,7 +99,6 @@ fn state(key: &str, when: &str, scenario: Option<&Scenario>, state: &State, erro
         Fact::data(path("time_s"), Quantity::Duration(state.time)),
         Fact::new(path("attitude_wxyz"), format!("attitude{when}"), attitude)
             .within(error.attitude)
-            .digits(if key == "at" { 9 } else { 6 })
             .note("as w, x, y, z")
             .shown_if(key != "start"),
         Fact::data(path("attitude"), in_all_conventions),

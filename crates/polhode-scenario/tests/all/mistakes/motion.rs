@@ -495,14 +495,14 @@ fn directions_of_an_orbit_need_one() {
         "name = 'A' must be different from the names of other pointings",
         "give each pointing its own name",
     );
-    for (wrong, rule) in [
-        ("'0 deg'", "between 0 and 180 degrees"),
-        ("'-12 deg'", "between 0 and 180 degrees"),
-        ("'180 deg'", "between 0 and 180 degrees"),
-        ("'12 m'", "an angle"),
-        ("nan", "finite"),
+    for (wrong, message, hint) in [
+        ("'0 deg'", "limit = '0 deg' must be between 0 and 180 degrees", ""),
+        ("'-12 deg'", "limit = '-12 deg' must be between 0 and 180 degrees", ""),
+        ("'180 deg'", "limit = '180 deg' must be between 0 and 180 degrees", ""),
+        ("'12 m'", "\"m\" is a length where an angle belongs", "write an angle"),
+        ("nan", "limit = nan must be finite", "write a finite number"),
     ] {
-        refuses(&pointing(&format!("name='a'\nbody=[0,0,1]\nto='nadir'\nlimit=«{wrong}»")), rule, "");
+        refuses(&pointing(&format!("name='a'\nbody=[0,0,1]\nto='nadir'\nlimit=«{wrong}»")), message, hint);
     }
 }
 

@@ -28,12 +28,12 @@ const MOST_ANGLES: usize = 2;
 /// Returns the kind of the motion with its main numbers, its cause, and its end if it is not the
 /// end of the run.
 pub(crate) fn lines(known: &Known<'_>) -> Vec<String> {
-    let pointing = |known| known.scenario.map_or_else(Vec::new, |scenario| angles(known, scenario));
+    let pointing = || known.scenario.map_or_else(Vec::new, |scenario| angles(known, scenario));
     let mut lines = match (&known.heavy_top, known.free(), known.scenario) {
-        (Some(top), _, _) => [vec![heavy_top(top)], pointing(known)].concat(),
+        (Some(top), _, _) => [vec![heavy_top(top)], pointing()].concat(),
         (None, Some(free), _) => {
             let kind = [free_motion(free), "No torque: L is constant in space.".to_owned()];
-            [kind.to_vec(), pointing(known)].concat()
+            [kind.to_vec(), pointing()].concat()
         }
         (None, None, Some(scenario)) => driven(known, scenario),
         (None, None, None) => Vec::new(),

@@ -10,7 +10,7 @@ use polhode_source::files::{Confined, Files, NotOpened, is_path_of};
 use polhode_source::{Failure, shown};
 use polhode_table::log::{self, RunLog};
 
-use crate::against::{Interpretation, Other};
+use crate::against::Other;
 use crate::free_body::FreeBody;
 use crate::report::{ComparedRun, Comparison, JudgeReport, JudgedRun, judge_hint};
 use crate::request::Request;
@@ -79,12 +79,10 @@ impl<'a> Judge<'a> {
         let (_, logs) = self.logs()?;
         let reference = log::read(self.files, other, None)?;
         let against = Other::of(other, &reference, moments)?;
-        let hint = "state its conventions: --quaternion wxyz or xyzw, --sense body-to-space or space-to-body, --omega body or space";
         let compared = |(path, log): (&Path, RunLog)| {
             require_same_scenario(path, &log, other, &reference)?;
             let declared = self.request.read_as.declared(&log.says);
-            let interpretation = Interpretation::of(path, &log.log, &declared, hint)?;
-            let found = against.differences(path, &log, interpretation)?;
+            let found = against.differences(path, &log, &declared)?;
             Ok(ComparedRun {
                 path: shown(path),
                 step: self.request.step.as_ref().map(|step| step.value.0.into()).or(log.step),

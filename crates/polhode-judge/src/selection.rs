@@ -4,9 +4,10 @@
 ///
 /// Even under a wrong law of motion, rows follow from each other up to second order in the rotation
 /// angle. A wrong interpretation has an error as large as the angle itself.
-const FITS: f64 = 0.3;
-/// Largest residual (relative) of an interpretation that replaces a named one which fits roughly.
-const REPLACES: f64 = 0.03;
+pub(crate) const FITS: f64 = 0.3;
+/// Largest residual (relative) of an interpretation that replaces the named ones: a wrong one may
+/// fit roughly.
+pub(crate) const REPLACES: f64 = 0.03;
 /// Ratio of residuals above which the smaller one decides.
 const CLEARLY: f64 = 10.0;
 /// Residual due to rounding, rad.
@@ -23,8 +24,13 @@ pub(crate) struct Tried<T> {
 }
 
 impl<T> Tried<T> {
-    fn fits(&self) -> bool {
-        self.relative <= FITS
+    pub(crate) fn fits(&self, most: f64) -> bool {
+        self.relative <= most
+    }
+
+    /// Returns true if the residual is not clearly larger than that of another interpretation.
+    pub(crate) fn is_near(&self, best: &Self) -> bool {
+        self.angle <= CLEARLY * best.angle.max(SAME)
     }
 }
 
@@ -40,7 +46,7 @@ pub(crate) enum Undecided<T> {
 /// Returns the interpretation with the smallest residual.
 ///
 /// `named` are those by the names of the columns. They come first, unless none of them fits, or
-/// another one fits much better.
+/// another one fits much better. Others need a small residual in both cases.
 ///
 /// # Errors
 /// [`Undecided`] if none fits, or if others that are not `is_same` fit about equally well.
@@ -55,15 +61,14 @@ pub(crate) fn chosen<T: Copy>(
     };
     let (named, all) = (sorted(named), sorted(all));
     let is_replaced = |by_name: &Tried<T>| {
-        let is_better = |other: &Tried<T>| CLEARLY * other.angle.max(SAME) < by_name.angle;
-        !by_name.fits() || all.first().is_some_and(|best| best.relative <= REPLACES && is_better(best))
+        !by_name.fits(FITS) || all.first().is_some_and(|best| best.fits(REPLACES) && !by_name.is_near(best))
     };
-    let group = if named.first().is_none_or(is_replaced) { all } else { named };
-    let Some(best) = group.first().copied().filter(Tried::fits) else {
+    let (group, most) = if named.first().is_none_or(is_replaced) { (all, REPLACES) } else { (named, FITS) };
+    let Some(best) = group.first().copied().filter(|best| best.fits(most)) else {
         return Err(Undecided::Unlike(group));
     };
-    let bound = CLEARLY * best.angle.max(SAME);
-    let fitting: Vec<Tried<T>> = group.into_iter().filter(|one| one.fits() && one.angle <= bound).collect();
+    let is_rival = |one: &Tried<T>| one.fits(most) && one.is_near(&best);
+    let fitting: Vec<Tried<T>> = group.into_iter().filter(is_rival).collect();
     let is_one = fitting.iter().all(|other| is_same(&other.of, &best.of));
     if is_one { Ok(best.of) } else { Err(Undecided::Ambiguous(fitting)) }
 }

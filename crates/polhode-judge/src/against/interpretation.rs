@@ -16,6 +16,8 @@ use crate::selection::{Tried, Undecided, chosen};
 const COMPARED: usize = 256;
 /// Largest rotation between two rows that represent a continuous motion, rad.
 const FOLLOWED: f64 = 1.0;
+/// Largest rotation between two rows at rest, rad: the rounding of quaternions.
+const STILL: f64 = 1e-12;
 
 /// Relative difference of equal angular velocities: the rounding of two conversions.
 const SAME_OMEGA: f64 = 1e-12;
@@ -29,7 +31,7 @@ pub(crate) struct Interpretation {
 
 impl Interpretation {
     /// Determines the meaning of a log: the declared one, and otherwise the one in which the
-    /// attitudes rotate as ω states. `hint` is the advice how to declare it.
+    /// attitudes rotate as ω states.
     ///
     /// # Errors
     /// [`Failure`] if nothing declares the meaning and ω does not determine it.
@@ -37,9 +39,11 @@ impl Interpretation {
         path: &Path,
         log: &MotionLog,
         declared: &DeclaredReading,
-        hint: &str,
+        hint: Hint,
     ) -> Result<Self, Failure> {
-        let refused = |message: String| Err(Failure::usage(message, hint).in_file(path));
+        let conventions = hint.conventions(log.omega().is_some());
+        let refused_with = |message: String, hint: &str| Err(Failure::usage(message, hint).in_file(path));
+        let refused = |message: String| refused_with(message, conventions);
         let all = Self::all(log, &declared.certain());
         if let [only] = all[..] {
             return Ok(only);
@@ -66,12 +70,21 @@ impl Interpretation {
         };
         match chosen(tried(named), tried(all), is_same) {
             Ok(found) => Ok(found),
-            Err(Undecided::Unlike(tried)) if tried.iter().all(|one| one.relative.is_infinite()) => refused(
-                "no two rows of the log rotate by up to 1 rad, so ω does not determine its conventions"
-                    .to_owned(),
-            ),
             Err(Undecided::Unlike(tried)) => {
-                refused(format!("the attitudes of the log do not rotate as its ω states: {}", shown(&tried)))
+                let (pairs, largest) = turning_pairs(log);
+                if pairs.is_empty() {
+                    let why = if largest > FOLLOWED {
+                        "the attitude rotates by more than 1 rad from row to row"
+                    } else {
+                        "the attitude does not rotate"
+                    };
+                    return refused(format!("{why}, so ω does not determine the conventions of the log"));
+                }
+                let (ratio, shown) = (number(rate_ratio(log, &pairs), 4), shown(&tried));
+                let message = format!(
+                    "the attitudes of the log do not rotate as its ω states; their rate is {ratio} times |ω|: {shown}"
+                );
+                refused_with(message, &format!("{}; or {conventions}", hint.units()))
             }
             Err(Undecided::Ambiguous(fitting)) => {
                 refused(format!("{} interpretations of the log fit: {}", fitting.len(), shown(&fitting)))
@@ -107,31 +120,112 @@ impl Interpretation {
         self.reading.read(log, self.omega)
     }
 
+    /// Returns true if a declaration, such as the name of a column, states another meaning.
+    pub(crate) fn contradicts(&self, declared: &DeclaredReading) -> bool {
+        declared.order.is_some_and(|order| order != self.reading.order)
+            || declared.sense.is_some_and(|sense| sense != self.reading.sense)
+            || self.omega.is_some_and(|omega| declared.omega_axes.is_some_and(|frame| frame != omega.frame))
+    }
+
+    /// Returns true if a convention of a log that the user does not declare differs from `other`.
+    pub(crate) fn differs(&self, other: &Self, log: &MotionLog, declared: &DeclaredReading) -> bool {
+        let certain = declared.certain();
+        let by_other = Self { omega: self.omega.and(other.omega), ..*self };
+        certain.order.is_none() && self.reading.order != other.reading.order
+            || certain.sense.is_none() && self.reading.sense != other.reading.sense
+            || certain.omega_axes.is_none()
+                && by_other.omega.is_some()
+                && !is_same_omega(&self.read(log), &by_other.read(log))
+    }
+
     /// Compares the rotation between two rows, R_kᵀ R_(k+1) = exp(θ), with ½ (ω_k + ω_(k+1)) Δt.
     fn tried(self, log: &MotionLog) -> Tried<Self> {
         let motion = self.read(log);
-        let (mut off, mut turned, mut count) = (0.0, 0.0, 0.0);
+        let (mut off, mut turned) = (0.0, 0.0);
         let omega = motion.omega.as_deref().unwrap_or_default();
-        let pairs = motion.times.windows(2).zip(motion.attitude.windows(2)).zip(omega.windows(2));
-        for ((times, attitudes), omega) in pairs.take(COMPARED) {
-            let [Ok(from), Ok(to)] = [0, 1].map(|k| Attitude::from_quaternion(attitudes[k])) else {
+        let (pairs, _) = turning_pairs(log);
+        for &k in &pairs {
+            let [Ok(from), Ok(to)] = [k, k + 1].map(|k| Attitude::from_quaternion(motion.attitude[k])) else {
                 continue;
             };
             let theta = (from.inverse() * to).log().to_array();
-            let [a, b] = [0, 1].map(|k| omega[k].to_array());
-            let expected = [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]) * (times[1] - times[0]));
-            let square = |of: &dyn Fn(usize) -> f64| (0..3).map(|i| of(i).powi(2)).sum::<f64>();
-            let size = square(&|i| theta[i]);
-            if size > FOLLOWED * FOLLOWED {
-                continue;
-            }
-            off += square(&|i| theta[i] - expected[i]);
-            turned += size;
-            count += 1.0;
+            let [a, b] = [k, k + 1].map(|k| omega.get(k).map_or([0.0; 3], |omega| omega.to_array()));
+            let step = motion.times[k + 1] - motion.times[k];
+            let expected = [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]) * step);
+            off += square([0, 1, 2].map(|i| theta[i] - expected[i]));
+            turned += square(theta);
         }
         let relative = if turned > 0.0 { f64::sqrt(off / turned) } else { f64::INFINITY };
-        Tried { of: self, angle: f64::sqrt(off / f64::max(count, 1.0)), relative }
+        Tried { of: self, angle: f64::sqrt(off / pairs.len().max(1) as f64), relative }
     }
+}
+
+/// Options, or lines of a log, by which the user may declare a meaning.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Hint {
+    /// Options, which describe the run.
+    Options,
+    /// Line before the header, which describes the other log.
+    Line,
+}
+
+impl Hint {
+    const fn conventions(self, has_omega: bool) -> &'static str {
+        match (self, has_omega) {
+            (Self::Options, true) => {
+                "state its conventions: --quaternion wxyz or xyzw, --sense body-to-space or space-to-body, --omega body or space"
+            }
+            (Self::Options, false) => {
+                "state its conventions: --quaternion wxyz or xyzw, --sense body-to-space or space-to-body"
+            }
+            (Self::Line, true) => {
+                "state its conventions in a line before its header: # columns = \"quaternion wxyz body-to-space = qw qx qy qz, omega body = wx wy wz\""
+            }
+            (Self::Line, false) => {
+                "state its conventions in a line before its header: # columns = \"quaternion wxyz body-to-space = qw qx qy qz\""
+            }
+        }
+    }
+
+    const fn units(self) -> &'static str {
+        match self {
+            Self::Options => {
+                "check the units of ω and of the times (deg/s for rad/s is a factor of 57.3): --columns \"omega deg/s = wx wy wz\""
+            }
+            Self::Line => {
+                "check the units of ω and of the times (deg/s for rad/s is a factor of 57.3): a line before its header: # columns = \"omega deg/s = wx wy wz\""
+            }
+        }
+    }
+}
+
+/// Returns the first rows of up to [`COMPARED`] pairs, spread over those between which the attitude
+/// rotates, and the largest rotation between two rows, rad. They do not depend on the conventions.
+fn turning_pairs(log: &MotionLog) -> (Vec<usize>, f64) {
+    let angles: Vec<f64> = (1..log.times().len()).map(|k| angle(log, k)).collect();
+    let turning: Vec<usize> =
+        (0..angles.len()).filter(|&k| angles[k] > STILL && angles[k] <= FOLLOWED).collect();
+    let every = turning.len().div_ceil(COMPARED).max(1);
+    (turning.into_iter().step_by(every).collect(), angles.into_iter().fold(0.0, f64::max))
+}
+
+/// Returns the rotation since the previous row, rad.
+fn angle(log: &MotionLog, row: usize) -> f64 {
+    let [from, to] = [row - 1, row].map(|row| Attitude::from_quaternion(log.attitude()[row]));
+    from.and_then(|from| Ok(from.angle_to(to?))).unwrap_or(0.0)
+}
+
+/// Returns the rotation of the attitude relative to that by |ω|.
+fn rate_ratio(log: &MotionLog, pairs: &[usize]) -> f64 {
+    let turned: f64 = pairs.iter().map(|&k| angle(log, k + 1)).sum();
+    let omega = log.omega().unwrap_or_default();
+    let size = |row: usize| omega.get(row).map_or(0.0, |&omega| square(omega).sqrt());
+    let step = |k: usize| log.times()[k + 1] - log.times()[k];
+    turned / pairs.iter().map(|&k| 0.5 * (size(k) + size(k + 1)) * step(k)).sum::<f64>()
+}
+
+fn square(v: [f64; 3]) -> f64 {
+    v.iter().map(|c| c * c).sum()
 }
 
 /// Returns true if two motions have the same ω, as in a rotation about one axis of body and space.

@@ -6,13 +6,13 @@ mod partners;
 use std::path::Path;
 
 use polhode::body::{InertiaTensor, MassProperties};
-use polhode::infer::judge::{Growth, ReadMotion, RowErrors, Split};
+use polhode::infer::judge::{DeclaredReading, Growth, RateErrors, ReadMotion, RowErrors, Split};
 use polhode::math::{AngularVelocity, Attitude, Body, Position};
 use polhode::motion::{Rotor, State};
 use polhode_source::{Failure, shown};
-use polhode_table::log::RunLog;
+use polhode_table::log::{ReadColumns, RunLog};
 
-pub(crate) use interpretation::Interpretation;
+pub(crate) use interpretation::{Hint, Interpretation};
 use partners::Partners;
 
 /// Other log, with its meaning.
@@ -23,7 +23,10 @@ pub(crate) struct Other {
     pub(crate) ignored: Vec<String>,
     pub(crate) is_single_precision: bool,
     pub(crate) interpretation: Interpretation,
+    /// True if the interpretation contradicts the names of the columns.
+    pub(crate) is_against_names: bool,
     pub(crate) motion: ReadMotion,
+    read: Vec<ReadColumns>,
     /// Principal moments about the body axes, kg·m², if they are stated.
     moments: Option<[f64; 3]>,
 }
@@ -32,6 +35,10 @@ pub(crate) struct Other {
 #[derive(Clone, Debug)]
 pub(crate) struct Differences {
     pub(crate) interpretation: Interpretation,
+    /// True if the interpretation contradicts the names of the columns.
+    pub(crate) is_against_names: bool,
+    /// True if the other log has the same columns with another meaning.
+    pub(crate) has_other_meaning: bool,
     pub(crate) motion: ReadMotion,
     pub(crate) errors: RowErrors,
     pub(crate) split: Split,
@@ -48,29 +55,33 @@ impl Other {
     /// # Errors
     /// The errors of [`Interpretation::of`].
     pub(crate) fn of(path: &Path, log: &RunLog, moments: Option<[f64; 3]>) -> Result<Self, Failure> {
-        let hint = "state its conventions in a line before its header: # columns = \"quaternion wxyz body-to-space = qw qx qy qz, omega body = wx wy wz\"";
-        let interpretation = Interpretation::of(path, &log.log, &log.says, hint)?;
+        let interpretation = Interpretation::of(path, &log.log, &log.says, Hint::Line)?;
         Ok(Self {
             path: shown(path),
             engine: log.engine.clone(),
             ignored: log.not_read(),
             is_single_precision: log.log.is_single_precision(),
             motion: interpretation.read(&log.log),
+            is_against_names: interpretation.contradicts(&log.says),
             interpretation,
+            read: log.read.clone(),
             moments,
         })
     }
 
-    /// Returns the differences of a run from this log at the run's times.
+    /// Returns the differences of a run, whose meaning may be declared, from this log at the run's
+    /// times.
     ///
     /// # Errors
-    /// [`Failure`] if this log has no row at a time of the run.
+    /// The errors of [`Interpretation::of`]; and [`Failure`] if this log has no row at a time of the
+    /// run.
     pub(crate) fn differences(
         &self,
         path: &Path,
         log: &RunLog,
-        interpretation: Interpretation,
+        declared: &DeclaredReading,
     ) -> Result<Differences, Failure> {
+        let interpretation = Interpretation::of(path, &log.log, declared, Hint::Options)?;
         let mut motion = interpretation.read(&log.log);
         let partners = Partners::of(&motion.times, &self.motion.times).map_err(|time| {
             let message = format!("the run has a row at {time} s, but {} has none at this time", self.path);
@@ -93,13 +104,44 @@ impl Other {
         let body = tensor.and_then(|tensor| MassProperties::new(1.0, Position::ZERO, tensor));
         let body =
             body.map_err(|error| Failure::usage(error.to_string(), "check --moments and its units"))?;
-        let errors = RowErrors::of(&Rotor::free(&body), &motion, &exact);
+        let mut errors = RowErrors::of(&Rotor::free(&body), &motion, &exact);
+        if let (Some(rates), Some(omega)) = (&mut errors.rates, &motion.omega)
+            && exact.iter().all(|state| state.omega.norm() == 0.0)
+        {
+            relate_to_run(rates, omega, self.moments.unwrap_or([1.0; 3]));
+        }
         let split = Split::of(&motion, &exact);
         let floor = ROUNDING + partners.apart * fastest(&exact);
         let growth = Growth::of(&motion.times, &errors.angles(), floor);
         let has_moments = self.moments.is_some();
-        Ok(Differences { interpretation, motion, errors, split, growth, floor, has_moments })
+        let has_other_meaning =
+            log.read == self.read && interpretation.differs(&self.interpretation, &log.log, declared);
+        Ok(Differences {
+            interpretation,
+            is_against_names: interpretation.contradicts(declared),
+            has_other_meaning,
+            motion,
+            errors,
+            split,
+            growth,
+            floor,
+            has_moments,
+        })
     }
+}
+
+/// Relates differences from a log at rest to the largest values of the run.
+fn relate_to_run(rates: &mut RateErrors, omega: &[AngularVelocity<Body>], moments: [f64; 3]) {
+    let related = |size: &dyn Fn([f64; 3]) -> f64| {
+        let sizes: Vec<f64> = omega.iter().map(|omega| size(omega.to_array())).collect();
+        let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        sizes.into_iter().map(|size| size / largest).collect()
+    };
+    let norm = |[x, y, z]: [f64; 3]| x.hypot(y).hypot(z);
+    let momentum = |omega: [f64; 3]| [0, 1, 2].map(|i| moments[i] * omega[i]);
+    rates.omega = related(&norm);
+    rates.kinetic_energy = related(&|omega| (0..3).map(|i| momentum(omega)[i] * omega[i]).sum());
+    rates.momentum = related(&|omega| norm(momentum(omega)));
 }
 
 /// Rotation that rounding two quaternions to f64 may cause, rad.

@@ -6,7 +6,7 @@ mod start;
 use std::path::Path;
 
 use polhode::body::InertiaTensor;
-use polhode::infer::judge::{DeclaredReading, MotionLog, SignedAxes};
+use polhode::infer::judge::{DeclaredByName, DeclaredReading, MotionLog, OmegaAxes, SignedAxes};
 use polhode::math::Body;
 use polhode_document::number::number;
 use polhode_scenario::read::ScenarioFile;
@@ -62,9 +62,14 @@ impl FreeBody {
     }
 
     /// Returns the declarations for the log with the first row: its axes and its clock are those of
-    /// the scenario.
+    /// the scenario. If ω is 0 in all rows, its axes have no effect, and are declared.
     pub fn declared(log: &MotionLog, declared: &DeclaredReading) -> DeclaredReading {
-        DeclaredReading { axes: Some(SignedAxes::SAME), time_origin: Some(log.times()[0]), ..*declared }
+        let is_at_rest = log.omega().is_some_and(|omega| omega.iter().all(|omega| *omega == [0.0; 3]));
+        let frame = declared.omega_axes.or(is_at_rest.then_some(OmegaAxes::Body));
+        let by_name =
+            DeclaredByName { omega_axes: declared.by_name.omega_axes && !is_at_rest, ..declared.by_name };
+        let (axes, time_origin) = (Some(SignedAxes::SAME), Some(log.times()[0]));
+        DeclaredReading { axes, time_origin, omega_axes: frame, by_name, ..*declared }
     }
 }
 

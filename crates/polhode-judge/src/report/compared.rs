@@ -87,7 +87,7 @@ impl ComparedRun {
     }
 
     fn to_json(&self) -> Value {
-        let Differences { interpretation: meaning, motion, errors, split, growth, floor, .. } = &self.found;
+        let Differences { motion, errors, split, growth, floor, .. } = &self.found;
         let step = self.step.or_else(|| spacing(&motion.times));
         let rates = errors.rates.as_ref().map(|rates| {
             let of_moments = self.rates_by_moments();
@@ -109,7 +109,8 @@ impl ComparedRun {
             "last_s": motion.times.last(),
             "not_read": self.ignored,
             "single_precision": self.is_single_precision,
-            "reading": interpretation(meaning),
+            "reading": interpretation(&self.found.interpretation, self.found.is_against_names),
+            "other_meaning": self.found.has_other_meaning,
             "error": {
                 "attitude_last_rad": self.last(),
                 "attitude_largest_rad": self.largest(),
@@ -123,8 +124,14 @@ impl ComparedRun {
     }
 }
 
-fn interpretation(meaning: &Interpretation) -> Value {
-    json::interpretation(&meaning.reading, meaning.omega)
+fn interpretation(meaning: &Interpretation, is_against_names: bool) -> Value {
+    json::interpretation(&meaning.reading, meaning.omega, is_against_names)
+}
+
+/// Returns the meaning of a log in words.
+fn meaning(path: &str, Interpretation { reading, omega }: &Interpretation) -> String {
+    let omega = omega.map_or_else(|| "no ω".to_owned(), |omega| omega.to_string());
+    format!("{}: {}; {omega}", printable(path), words::reading(reading))
 }
 
 fn largest(of: &[f64]) -> f64 {
@@ -136,10 +143,31 @@ impl Comparison {
         Self { other, runs }
     }
 
-    /// Returns true if a difference exceeds the limit: attitude in rad, ω relative to its largest
-    /// value.
+    /// Returns true if a difference exceeds the limit (attitude in rad, ω relative to its largest
+    /// value), or if numbers have another meaning than the names of their columns state, or than
+    /// the same columns have in the other log.
     pub fn is_beyond(&self, limit: f64) -> bool {
-        self.runs.iter().any(|run| run.worst() > limit)
+        self.runs.iter().any(|run| run.worst() > limit) || !self.contradictions().is_empty()
+    }
+
+    /// Returns the interpretations that contradict column names or each other.
+    fn contradictions(&self) -> Vec<String> {
+        let other = meaning(&self.other.path, &self.other.interpretation);
+        let contrary = |meaning: &str| format!("Interpreted contrary to its column names: {meaning}");
+        let mut found = Vec::new();
+        for run in &self.runs {
+            let meaning = meaning(&run.path, &run.found.interpretation);
+            if run.found.is_against_names {
+                found.push(contrary(&meaning));
+            }
+            if run.found.has_other_meaning {
+                found.push(format!("The same columns have different meanings: {meaning}; {other}"));
+            }
+        }
+        if self.other.is_against_names {
+            found.push(contrary(&other));
+        }
+        found
     }
 
     /// Returns the report as JSON.
@@ -152,7 +180,7 @@ impl Comparison {
                 "rows": self.other.motion.times.len(),
                 "not_read": self.other.ignored,
                 "single_precision": self.other.is_single_precision,
-                "reading": interpretation(&self.other.interpretation),
+                "reading": interpretation(&self.other.interpretation, self.other.is_against_names),
             },
             "runs": self.runs.iter().map(ComparedRun::to_json).collect::<Value>(),
         })
@@ -160,15 +188,20 @@ impl Comparison {
 
     /// Returns the report as a document, which can be printed as text, Markdown or HTML.
     pub fn to_document(&self) -> Document {
+        let contradictions = self.contradictions();
+        let how_far = |run: &ComparedRun| match contradictions.is_empty() {
+            true => run.how_far(),
+            false => format!("{}, interpreted as follows", run.how_far()),
+        };
         let named = |run: &ComparedRun| match self.runs.len() {
-            1 => capitalized(run.how_far()),
-            _ => format!("{}: {}", run.name(), run.how_far()),
+            1 => capitalized(how_far(run)),
+            _ => format!("{}: {}", run.name(), how_far(run)),
         };
         let title = match &self.runs[..] {
             [run] => format!("{} compared with {}", run.name(), printable(&self.other.path)),
             _ => format!("Runs compared with {}", printable(&self.other.path)),
         };
-        let answer = self.runs.iter().map(named).collect();
+        let answer = self.runs.iter().map(named).chain(contradictions.iter().cloned()).collect();
         Document {
             title,
             answer,
@@ -216,8 +249,8 @@ impl Comparison {
             ["run", "attitude (end)", "attitude (max)", "ω", "T", "|L|", "direction of L", "rounding"];
         s.table(&headers, self.runs.iter().map(row).collect());
         s.say(
-            "Attitude and direction of L in rad; ω, T and |L| relative to the largest of the other log; each the largest of all rows. The last \
-             column is the rotation that rounding of attitudes and times explains.",
+            "Attitude and direction of L in rad; ω, T and |L| relative to the largest of the other log, or of the run if the other log is at \
+             rest; each the largest of all rows. The last column is the rotation that rounding of attitudes and times explains.",
         );
         if self.runs.iter().any(|run| run.found.errors.rates.is_none()) {
             s.say("ω is compared only if both logs have it.");
@@ -249,10 +282,15 @@ impl Comparison {
     }
 }
 
-fn say_log(s: &mut Section, path: &str, meaning: &Interpretation, ignored: &[String], is_single: bool) {
+fn say_log(
+    s: &mut Section,
+    path: &str,
+    interpretation: &Interpretation,
+    ignored: &[String],
+    is_single: bool,
+) {
     let name = printable(path);
-    let omega = meaning.omega.map_or_else(|| "no ω".to_owned(), |omega| omega.to_string());
-    s.say(format!("{name}: {}; {omega}.", meaning.reading));
+    s.say(format!("{}.", meaning(path, interpretation)));
     if !ignored.is_empty() {
         let names: Vec<String> = ignored.iter().map(|name| printable(name)).collect();
         s.say(format!("Ignored columns of {name}: {}.", names.join(", ")));

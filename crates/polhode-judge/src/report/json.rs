@@ -74,8 +74,12 @@ fn readings(readings: &Readings) -> Value {
 }
 
 /// Returns the meaning of a log that was not compared with a motion.
-pub(crate) fn interpretation(found: &Reading, omega: Option<OmegaReading>) -> Value {
-    json!({ "found": reading(found), "omega_axes": omega.map(|omega| frame(omega.frame)) })
+pub(crate) fn interpretation(found: &Reading, omega: Option<OmegaReading>, is_against_names: bool) -> Value {
+    json!({
+        "found": reading(found),
+        "omega_axes": omega.map(|omega| frame(omega.frame)),
+        "against_names": is_against_names,
+    })
 }
 
 const fn frame(axes: OmegaAxes) -> &'static str {

@@ -101,7 +101,7 @@ impl JudgeReport {
         for run in &self.runs {
             let readings = &run.judgement.readings;
             let omega = readings.omega.map_or_else(|| "no ω".to_owned(), |omega| omega.to_string());
-            s.say(format!("{}: {}; {omega}.", run.name, readings.reading));
+            s.say(format!("{}: {}; {omega}.", run.name, words::reading(&readings.reading)));
             if readings.from_own_start {
                 s.say("No interpretation begins with the scenario's attitude, so the rotation since the first row is compared.");
             }
@@ -112,7 +112,7 @@ impl JudgeReport {
                 ));
             }
             let row = |tried: &polhode::infer::judge::ReadingResidual| {
-                vec![tried.reading.to_string(), error(tried.attitude), number(tried.relative, 3)]
+                vec![words::reading(&tried.reading), error(tried.attitude), number(tried.relative, 3)]
             };
             let headers = ["interpretation", "error at the beginning (rad)", "relative to the rotation"];
             s.table(&headers, readings.tried.iter().take(SHOWN).map(row).collect());

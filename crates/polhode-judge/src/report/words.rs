@@ -53,7 +53,19 @@ pub(crate) fn read_as(run: &JudgedRun) -> Option<String> {
     let omega = omega.map_or_else(String::new, |omega| format!(", {omega}"));
     let own = if readings.from_own_start { ", relative to its own first row" } else { "" };
     let names = if readings.is_against_names { ", contrary to its column names" } else { "" };
-    Some(format!("interpreted as {}{omega}{own}{names}", readings.reading))
+    Some(format!("interpreted as {}{omega}{own}{names}", reading(&readings.reading)))
+}
+
+/// Returns the meaning of times and attitudes in words. The origin of the times has six digits, or
+/// is rounded to 1 µs if this is finer.
+pub(crate) fn reading(reading: &Reading) -> String {
+    let origin = reading.time_origin;
+    let rounded = match origin.abs() {
+        ..1.0 => number(origin, 6).parse().unwrap_or(origin),
+        ..1e9 => (1e6 * origin).round() / 1e6,
+        _ => origin,
+    };
+    Reading { time_origin: rounded, ..*reading }.to_string()
 }
 
 /// Returns the cause in words, such as

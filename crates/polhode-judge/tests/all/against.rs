@@ -3,7 +3,7 @@
 use polhode::math::{Attitude, Body, Direction, Rotation, Space};
 use serde_json::{Value, json};
 
-use crate::log::{HEAD, Row, STEP, exact, judged, number, plain, refused, text};
+use crate::log::{HEAD, Row, STEP, answer, conjugate, exact, in_space, judged, number, plain, refused, text};
 
 const TURN: [f64; 3] = [0.02, -0.05, 0.03];
 
@@ -139,4 +139,100 @@ fn logs_that_cannot_be_compared_are_refused() {
     // A declared clock makes the times equal.
     let request = json!({ "files": ["late.csv"], "against": "run.csv", "time-origin": 0.4 * STEP });
     assert!(number(&compared(&request, &files)["error"]["attitude_largest_rad"]) < 1e-15);
+}
+
+/// A changed convention is not "no difference": it is stated, and the exit status is 1.
+#[test]
+fn changed_conventions_are_reported() {
+    let rows = exact(201);
+    let space = |row: &Row| [&row.1[..], &in_space(row)].concat();
+    let silent = "t,qw,qx,qy,qz,wx,wy,wz";
+    let files = [
+        ("run.csv", text(HEAD, &rows, plain)),
+        ("space.csv", text(HEAD, &rows, space)),
+        ("silent.csv", text(silent, &rows, plain)),
+        ("silent-space.csv", text(silent, &rows, space)),
+        ("conjugate.csv", text(silent, &rows, conjugate)),
+    ];
+    let contrary = "Interpreted contrary to its column names: space.csv: ";
+    let different = "The same columns have different meanings: ";
+    for (run, other, says) in [
+        ("space.csv", "run.csv", contrary),
+        ("run.csv", "space.csv", contrary),
+        ("space.csv", "space.csv", contrary),
+        ("conjugate.csv", "silent.csv", different),
+        ("silent.csv", "conjugate.csv", different),
+        ("silent-space.csv", "silent.csv", different),
+    ] {
+        let request = json!({ "files": [run], "against": other });
+        let (has_failed, answer) = answer(&request, &files);
+        assert!(has_failed && answer.contains(says), "{run} {other}: {answer}");
+        assert!(answer.contains("interpreted as follows\n"), "{run} {other}: {answer}");
+        let report = judged(&request, &files).unwrap();
+        let (run_found, other_found) = (&report["runs"][0], &report["against"]["reading"]);
+        assert_eq!(run_found["reading"]["against_names"], run == "space.csv");
+        assert_eq!(other_found["against_names"], other == "space.csv");
+        assert_eq!(run_found["other_meaning"], run != other, "{run} {other}");
+    }
+    // Declared conventions, and those that the names leave open, are not contradictions.
+    for request in [
+        json!({ "files": ["space.csv"], "against": "run.csv", "omega": "space" }),
+        json!({ "files": ["conjugate.csv"], "against": "silent.csv", "sense": "space-to-body" }),
+        json!({ "files": ["conjugate.csv"], "against": "run.csv" }),
+        json!({ "files": ["silent-space.csv"], "against": "run.csv" }),
+    ] {
+        let (has_failed, answer) = answer(&request, &files);
+        assert!(!has_failed && answer.starts_with("No difference above"), "{request}: {answer}");
+        assert!(!answer.contains('\n'), "{request}: {answer}");
+    }
+}
+
+/// The conventions follow from the rows that rotate, wherever they are.
+#[test]
+fn a_log_that_starts_at_rest_is_compared() {
+    let moving = exact(201);
+    let (_, attitude, _) = moving[0];
+    let rest = (0..600).map(|k| (STEP * f64::from(k), attitude, [0.0; 3]));
+    let rows: Vec<Row> = rest.chain(moving.iter().map(|&(t, q, w)| (t + 600.0 * STEP, q, w))).collect();
+    let files = [
+        ("run.csv", text("t,q0,q1,q2,q3,wx,wy,wz", &rows, plain)),
+        ("rest.csv", text(HEAD, &rows[..600], plain)),
+        ("sparse.csv", text(HEAD, &exact(601).into_iter().step_by(60).collect::<Vec<_>>(), plain)),
+        ("degrees.csv", text(HEAD, &moving, |(_, q, w)| [&q[..], &w.map(f64::to_degrees)].concat())),
+        ("attitudes.csv", text("t,qw,qx,qy,qz", &moving, |row| row.1.to_vec())),
+    ];
+    let found = compared(&json!({ "files": ["run.csv"], "against": "run.csv" }), &files);
+    assert_eq!(found["reading"]["found"]["quaternion"], "wxyz");
+    for (run, says) in [
+        ("rest.csv", "the attitude does not rotate, so"),
+        ("sparse.csv", "rotates by more than 1 rad from row to row"),
+        ("degrees.csv", "their rate is 0.01745 times |ω|"),
+        ("degrees.csv", "(check the units of ω"),
+    ] {
+        let message = refused(&json!({ "files": [run], "against": "run.csv" }), &files);
+        // The other log is read first.
+        let by_other = refused(&json!({ "files": ["run.csv"], "against": run }), &files);
+        assert!(message.contains(says) && by_other.contains(says), "{message}\n{by_other}");
+    }
+    for request in [
+        json!({ "files": ["attitudes.csv"], "against": "run.csv" }),
+        json!({ "files": ["run.csv"], "against": "attitudes.csv" }),
+    ] {
+        let message = refused(&request, &files);
+        assert!(message.contains("has no ω") && !message.contains("omega"), "{message}");
+    }
+}
+
+/// A log at rest has no largest ω, so that of the run is the unit.
+#[test]
+fn a_rotating_run_differs_from_a_log_at_rest() {
+    let rows: Vec<Row> = exact(101).into_iter().map(|(t, _, w)| (t, [0.6, -0.3, 0.5, 0.2], w)).collect();
+    let columns = "# columns = \"quaternion wxyz body-to-space = qw qx qy qz, omega body = wx wy wz\"\nt,qw,qx,qy,qz,wx,wy,wz";
+    let still = |(_, q, _): &Row| [&q[..], &[0.0; 3]].concat();
+    let files = [("run.csv", text(columns, &rows, plain)), ("rest.csv", text(columns, &rows, still))];
+    let request = json!({ "files": ["run.csv"], "against": "rest.csv", "moments": "1.3, 2.9, 2.1" });
+    let rates = &compared(&request, &files)["error"]["rates"];
+    for name in ["omega_relative", "kinetic_energy_relative", "momentum_relative"] {
+        assert_eq!(number(&rates[name]), 1.0, "{name}");
+    }
 }

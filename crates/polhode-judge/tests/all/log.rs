@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use polhode::math::{AngularVelocity, Attitude, Body, Direction, Rotation};
 use polhode::motion::{FreeMotion, State};
 use polhode_document::Report as _;
-use polhode_judge::{Request, run};
+use polhode_judge::{Judged, Request, run};
 use polhode_source::Failure;
 use polhode_source::files::Memory;
 use serde_json::Value;
@@ -48,6 +48,22 @@ pub(crate) fn euler(rows: u32) -> Vec<Row> {
     written
 }
 
+/// Returns ω of a row along space axes: R ω for the quaternion w, u.
+pub(crate) fn in_space((_, [w, x, y, z], v): &Row) -> [f64; 3] {
+    let u = [*x, *y, *z];
+    let cross = |a: [f64; 3], b: [f64; 3]| {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    };
+    let uv = cross(u, *v);
+    let uuv = cross(u, uv);
+    [0, 1, 2].map(|i| v[i] + 2.0 * (w * uv[i] + uuv[i]))
+}
+
+/// Returns the numbers of a row with the conjugate quaternion.
+pub(crate) fn conjugate((_, [w, x, y, z], v): &Row) -> Vec<f64> {
+    [&[*w, -x, -y, -z][..], v].concat()
+}
+
 /// Returns the text of a log. `cells` are the numbers of a row after its time.
 pub(crate) fn text(head: &str, rows: &[Row], cells: impl Fn(&Row) -> Vec<f64>) -> String {
     let mut text = format!("{head}\n");
@@ -64,12 +80,22 @@ pub(crate) fn plain((_, q, w): &Row) -> Vec<f64> {
     [&q[..], &w[..]].concat()
 }
 
-/// Judges files in memory.
-pub(crate) fn judged(request: &Value, files: &[(&str, String)]) -> Result<Value, Failure> {
+fn report(request: &Value, files: &[(&str, String)]) -> Result<Judged, Failure> {
     let request: Request = serde_json::from_value(request.clone()).unwrap();
     let mut memory = Memory::default();
     files.iter().for_each(|(path, text)| memory.insert(path, text.as_bytes()));
-    run(&request, &memory).map(|report| report.to_json())
+    run(&request, &memory)
+}
+
+/// Judges files in memory.
+pub(crate) fn judged(request: &Value, files: &[(&str, String)]) -> Result<Value, Failure> {
+    report(request, files).map(|report| report.to_json())
+}
+
+/// Returns whether the exit status is 1, and the answer.
+pub(crate) fn answer(request: &Value, files: &[(&str, String)]) -> (bool, String) {
+    let report = report(request, files).unwrap();
+    (report.has_failed(), report.to_document().answer.join("\n"))
 }
 
 /// Returns the message and the hint of a refusal.

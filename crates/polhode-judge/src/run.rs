@@ -21,7 +21,9 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Judged, Failure> {
     judge.require_one_reference()?;
     match (&request.suite, &request.against) {
         (Some(folder), _) => grade(folder, judge).map(Judged::Suite),
-        (None, Some(other)) => judge.compared(other).map(|report| Judged::Compared(report, request.limit())),
+        (None, Some(other)) => {
+            judge.compared(other).map(|report| Judged::Compared(Box::new(report), request.limit()))
+        }
         (None, None) => judge.report().map(|report| Judged::Runs(Box::new(report), request.limit())),
     }
 }
@@ -35,7 +37,7 @@ pub enum Judged {
     /// Report on runs of one scenario, and the largest acceptable error, rad.
     Runs(Box<JudgeReport>, f64),
     /// Differences of runs from another log, and the largest acceptable one, rad.
-    Compared(Comparison, f64),
+    Compared(Box<Comparison>, f64),
     /// Grade card of the suite's cases.
     Suite(Card),
 }

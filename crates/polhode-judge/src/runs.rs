@@ -22,6 +22,9 @@ pub(crate) struct Judge<'a> {
     pub files: &'a dyn Files,
 }
 
+/// Path of a log, and its contents.
+type NamedLog<'a> = (&'a Path, RunLog);
+
 impl<'a> Judge<'a> {
     pub(crate) fn report(self) -> Result<JudgeReport, Failure> {
         let (scenario, mut logs) = self.logs()?;
@@ -46,7 +49,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Returns the scenario of the request, if it has one, and the logs of its runs.
-    fn logs(self) -> Result<(Option<&'a Path>, Vec<(&'a Path, RunLog)>), Failure> {
+    fn logs(self) -> Result<(Option<&'a Path>, Vec<NamedLog<'a>>), Failure> {
         require_folders(self.files, &self.request.roots)?;
         let (scenarios, runs): (Vec<&PathBuf>, Vec<&PathBuf>) =
             self.request.files.iter().partition(|path| is_scenario(path));
@@ -290,7 +293,7 @@ fn require_same_scenario(run: &Path, log: &RunLog, other: &Path, reference: &Run
     Err(Failure::usage(message, hint).in_file(run))
 }
 
-fn is_scenario(path: &PathBuf) -> bool {
+fn is_scenario(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
 }
 

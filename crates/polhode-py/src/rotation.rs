@@ -27,7 +27,7 @@ pub(crate) fn quaternion_of_text(name: &str, text: &str) -> PyResult<[f64; 4]> {
         let entries = document(source)?;
         rotation(&Table::root(source, &entries).require("rotation", "rotation = { … }")?)
     };
-    read().map(|turn| turn.quaternion()).map_err(Raise::raise)
+    read().map(Attitude::quaternion).map_err(Raise::raise)
 }
 
 /// Converts direction-cosine matrices, nine numbers by row, to quaternions w, x, y, z. An error

@@ -534,7 +534,7 @@ fn curves_are_written_beside_the_summary() {
         &scratch,
         &plate(&["--curves", "--chord-error", "1e-5", "--duration", "4", "-o", "fine"]),
     ));
-    assert!(many.contains("trajectory.parquet  polhode.csv"), "{many}");
+    assert!(many.contains("trajectory.parquet, polhode.csv"), "{many}");
     let fine = fs::read_to_string(scratch.0.join("fine/polhode.csv")).unwrap().lines().count();
     assert!(fine > 2 * read("polhode.csv", omega_body).len());
     let text = refused(&spin(&scratch, &plate(&["--curves", "--chord-error", "1e-10", "--duration", "1e9"])));

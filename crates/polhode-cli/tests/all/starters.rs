@@ -17,7 +17,7 @@ const STARTERS: [(&str, i32, &str); 13] = [
     ("moon", 0, "gravity gradient"),
     ("robot-link", 0, "<inertia ixx="),
     ("gripper", 1, "Not right: 1 impossible and 1 suspect finding in 3 links."),
-    ("molecule", 0, "rotation         A = 77.46288,  B = 12.08124,  C = 10.45124 GHz"),
+    ("molecule", 0, "rotation         A = 77.4629,  B = 12.0812,  C = 10.4512 GHz"),
     ("parts", 0, "→ All 2 limits are met; probability"),
     ("log", 1, "→ Most likely cause: first-order integration"),
     ("sweep", 0, "have event_turned_over_count > 0"),

@@ -8,7 +8,7 @@ use polhode::motion::{GroundContact, HeavyTop, Mechanism, Motor, Regime, Sample,
 use polhode::observe::FreeRegime;
 use polhode_document::fact::LARGEST_ATTITUDE_ERROR;
 use polhode_document::layout::printable;
-use polhode_document::number::{has_digits, number, tidy_beside, within};
+use polhode_document::number::{NO_BREAK, has_digits, number, tidy_beside, within};
 use polhode_document::unit::{amplitude, length, time};
 
 use crate::report::facts::{
@@ -169,7 +169,11 @@ fn angles(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
         let (name, most) = (printable(pointing.name()), degrees(angles.largest));
         let when = time(angles.time, DIGITS);
         let within = pointing.limit().zip(angles.within).map_or_else(String::new, |(limit, share)| {
-            format!("; within {} for {} % of the time", degrees(limit), number(100.0 * share, DIGITS))
+            format!(
+                "; within {} for {}{NO_BREAK}% of the time",
+                degrees(limit),
+                number(100.0 * share, DIGITS)
+            )
         });
         let target = target(pointing);
         Some(format!("{}: at most {most} to {target}, at t = {when}{within}.", capitalised(&name)))

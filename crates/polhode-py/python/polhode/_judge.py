@@ -146,7 +146,7 @@ def _compared(
     moments: npt.ArrayLike | None,
     start_omega: npt.ArrayLike | None,
     axes: str | None,
-    time_origin: float | None,
+    time_origin: float | str | None,
 ) -> _native.Compared:
     """Returns the motion with which a run is compared: that of a scenario or of a free body."""
     if (scenario is None) == (moments is None):

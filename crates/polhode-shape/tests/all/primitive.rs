@@ -155,9 +155,9 @@ inertia about the centre of mass, along body axes, off-diagonal = -∫xy dm, in 
     0.031433  0         0
     0         0.077433  0
     0         0         0.101353
-principal        0.0314333  0.0774333  0.1013533  kg·m²   asymmetric
-                 three different moments: the axes are determined
-gyration radii   0.1169045  0.1834848  0.2099206  m
+principal        0.031433  0.077433  0.101353  kg·m²   asymmetric
+                 three different moments: the principal axes are unique
+gyration radii   0.116905  0.183485  0.209921  m
 principal axes   right-handed, unit vectors in body axes
     axis 1   1  0  0
     axis 2   0  1  0
@@ -167,12 +167,12 @@ inertia about (-0.31, -0.19, -0.07) m, along body axes, off-diagonal = -∫xy dm
      0.125733  -0.135470  -0.049910
     -0.135470   0.309733  -0.030590
     -0.049910  -0.030590   0.405413
-principal        0.0445182  0.3811019  0.4152599  kg·m²   asymmetric
-                 three different moments: the axes are determined
+principal        0.044518  0.381102  0.415260  kg·m²   asymmetric
+                 three different moments: the principal axes are unique
 principal axes   right-handed, unit vectors in body axes
-    axis 1    0.8715133   0.4635966  0.1598211
-    axis 2   -0.4819804   0.8698638  0.1050326
-    axis 3   -0.0903298  -0.1685680  0.9815423
+    axis 1    0.871513   0.463597  0.159821
+    axis 2   -0.481980   0.869864  0.105033
+    axis 3   -0.090330  -0.168568  0.981542
 "
     );
     let torus = answer(&json!({ "torus": "31 cm, 11 cm", "material": "oak" })).unwrap();

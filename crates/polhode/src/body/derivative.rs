@@ -166,10 +166,11 @@ impl<F> Mul<f64> for MassPropertiesDerivative<F> {
 /// Gradient of a scalar with respect to mass properties: its derivatives with respect to the mass,
 /// the centre of mass and the inertia tensor about it.
 ///
-/// One gradient serves any number of parameters. [`MassPropertiesGradient::along`] returns the
-/// derivative of the scalar with respect to a parameter from that of the mass properties. For a
-/// mesh, [`MeshDerivatives::gradient`](super::mesh::MeshDerivatives::gradient) returns the
-/// derivatives with respect to all vertices.
+/// One gradient serves any number of parameters.
+/// [`MassPropertiesGradient::derivative_along`] returns the derivative of the scalar with respect to
+/// a parameter from that of the mass properties. For a mesh,
+/// [`MeshDerivatives::gradient`](super::mesh::MeshDerivatives::gradient) returns the derivatives
+/// with respect to all vertices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassPropertiesGradient<F> {
     /// Derivative with respect to the mass, per kg.

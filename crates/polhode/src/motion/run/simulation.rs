@@ -125,7 +125,7 @@ impl<'a> Simulation<'a> {
     /// // The outer axis up, the inner one east, so that the rotor's, up × east, is north.
     /// let axes = [Axis::free(1e-3, 0.0)?, Axis::locked(0.0)?, Axis::driven(0.0, spin)?];
     /// let gimbals = Gimbals::new(Direction::new(0.0, 0.0, 1.0), Direction::new(1.0, 0.0, 0.0), axes)?;
-    /// let gimbals = gimbals.on(Base::on_earth(latitude)?);
+    /// let gimbals = gimbals.with_base(Base::on_earth(latitude)?);
     /// let motion = Simulation::in_gimbals(&rotor, &gimbals, 0.0, &[period]).run()?;
     /// let angles = motion.channel(channel::AXIS_ANGLES).and_then(|angles| angles.last()).ok_or("it has a sample")?;
     /// assert!((angles[0] - 1e-3).abs() < 1e-9 && motion.energy_drift() < 1e-13);

@@ -7,7 +7,7 @@ use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::{numbers, vector};
 use polhode_document::layout::printable;
 use polhode_document::number::vector as shown;
-use polhode_document::number::{DIGITS, NO_BREAK, number};
+use polhode_document::number::{DIGITS, number};
 use serde_json::{Map, Value, json};
 
 use super::Known;
@@ -44,8 +44,9 @@ pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
             let limit = pointing
                 .limit()
                 .map_or_else(String::new, |limit| format!("{}°", number(limit.to_degrees(), DIGITS)));
-            let share = format!("{}{NO_BREAK}% of the time", number(100.0 * share, 4));
-            Fact::shown(format!("{name} within {limit}"), share).note("linear between samples")
+            let share = Quantity::Number(100.0 * share, "% of the time");
+            let fact = Fact::shown(format!("{name} within {limit}"), share).digits(4);
+            known_to(error, fact.note("linear between samples"))
         }));
     }
     facts.push(Fact::data(

@@ -19,7 +19,8 @@ pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 /// use polhode_document::Report as _;
 /// use polhode_judge::{Request, run};
 /// use polhode_source::files::Memory;
-/// let scenario = "[[body.part]]\nshape = \"box\"\nsize = [0.1, 0.2, 0.3]\nmass = 2\n[start]\nspin = { body = [0, 3, 0] }\n[run]\nduration = 1\n";
+/// let scenario = "[[body.part]]\nshape = \"box\"\nsize = [0.1, 0.2, 0.3]\nmass = 2\n\
+///     [start]\nspin = { body = [0, 3, 0] }\n[run]\nduration = 1\n";
 /// let rows: String = (0..=100)
 ///     .map(|k| (0.01 * f64::from(k), 0.015 * f64::from(k)))
 ///     .map(|(t, half)| format!("{t},{},0,{},0\n", half.cos(), half.sin()))

@@ -77,7 +77,8 @@ pub struct Lump {
 /// use polhode_robot::{lump::{Lumping, lump}, read::{ReadOptions, read_text}};
 /// let inertial = r#"<inertial><mass value="2"/>
 ///     <inertia ixx="0.2" ixy="0" ixz="0" iyy="0.3" iyz="0" izz="0.4"/></inertial>"#;
-/// let text = format!(r#"<robot><link name="palm">{inertial}</link><link name="left">{inertial}</link><link name="right">{inertial}</link>
+/// let text = format!(r#"<robot><link name="palm">{inertial}</link>
+///     <link name="left">{inertial}</link><link name="right">{inertial}</link>
 ///     <joint name="l" type="prismatic"><parent link="palm"/><child link="left"/><axis xyz="0 1 0"/></joint>
 ///     <joint name="r" type="prismatic"><parent link="palm"/><child link="right"/><axis xyz="0 1 0"/>
 ///         <mimic joint="l" multiplier="-0.5"/></joint></robot>"#);

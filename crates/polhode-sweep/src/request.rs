@@ -16,7 +16,8 @@ pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 /// use polhode_document::Report as _;
 /// use polhode_source::files::Memory;
 /// use polhode_sweep::{Request, run};
-/// let plan = "[[body.part]]\nshape = \"box\"\nsize = [0.1, 0.2, 0.3]\nmass = 2\n[start]\nspin = { body = [0.1, 2, -0.3] }\n[run]\nduration = 60\n\
+/// let plan = "[[body.part]]\nshape = \"box\"\nsize = [0.1, 0.2, 0.3]\nmass = 2\n\
+///     [start]\nspin = { body = [0.1, 2, -0.3] }\n[run]\nduration = 60\n\
 ///     [sweep]\nsampling = \"grid\"\n[[sweep.vary]]\nkey = \"start.spin.body[1]\"\nlist = [1, 2, 3]\n";
 /// let files = Memory::from([("plan.toml", plan)]);
 /// let report = run(&Request { plan: "plan.toml".into(), ..Request::default() }, &files)?;

@@ -12,7 +12,8 @@ use crate::six::{ELEMENTS, between};
 ///
 /// ```
 /// use polhode::math::{Attitude, Body, Direction, Rotation, Space};
-/// use polhode_identify::swing::{Counted, Measured, Measurement, Placement, Rig, SwingPlan, SwingTest, Wires, identify_swings};
+/// use polhode_identify::swing::{Counted, Measured, Measurement, Placement, Rig};
+/// use polhode_identify::swing::{SwingPlan, SwingTest, Wires, identify_swings};
 ///
 /// let mut plan = SwingPlan::new(Measured::new(3.2, 0.001), [Measured::exact(0.0); 3]);
 /// let radius = plan.number("wire radius", "m", Measured::new(0.15, 0.2e-3));

@@ -35,7 +35,8 @@ use super::{ScenarioFile, TOP, document, file_of_root};
 /// assert_eq!((radius.value, radius.unit.as_str()), (0.02, "mm"));
 ///
 /// let other = text.replace("shape = \"sphere\"\nradius = \"20 mm\"", "shape = \"mesh\"\nfile = \"other.stl\"");
-/// assert!(draft.read(&Memory::default(), other).unwrap_err().to_string().contains("opened or dropped together with the scenario"));
+/// let refused = draft.read(&Memory::default(), other).unwrap_err().to_string();
+/// assert!(refused.contains("opened or dropped together with the scenario"));
 /// # Ok::<(), polhode_source::FormatError>(())
 /// ```
 #[derive(Clone, Debug)]

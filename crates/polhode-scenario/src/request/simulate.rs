@@ -29,7 +29,8 @@ pub static REPORT_SCHEMA: LazyLock<String> =
 /// use polhode_document::Report as _;
 /// use polhode_scenario::request::simulate::{Request, run};
 /// use polhode_source::files::Memory;
-/// let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 2\n[start]\nspin = { body = [0.1, 3, 0] }\n[run]\nduration = 5\n";
+/// let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 2\n\
+///     [start]\nspin = { body = [0.1, 3, 0] }\n[run]\nduration = 5\n";
 /// let request = Request { file: "box.toml".into(), at: vec!["2 s".parse()?], ..Request::default() };
 /// let motion = run(&request, &Memory::from([("box.toml", text)])).map_err(|error| error.to_string())?;
 /// assert_eq!(motion.to_json()["motion"]["regime"], "short_axis");

@@ -33,7 +33,8 @@ pub static REPORT_SCHEMA: LazyLock<String> =
 /// use polhode_document::Report as _;
 /// use polhode_scenario::request::torque::{Request, run};
 /// use polhode_source::files::Memory;
-/// let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 2\n[prescribed]\naxis = [1, 1, 0]\nrate = '3 rad/s'\n";
+/// let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 2\n\
+///     [prescribed]\naxis = [1, 1, 0]\nrate = '3 rad/s'\n";
 /// let request = Request { file: "box.toml".into(), at: vec!["0 s, 1 s".parse()?], ..Request::default() };
 /// let needed = run(&request, &Memory::from([("box.toml", text)])).map_err(|error| error.to_string())?;
 /// assert_eq!(needed.to_json()["at"].as_array().unwrap().len(), 2);

@@ -6,9 +6,10 @@
 //! | format | tensor about | along | products of inertia | numbers |
 //! |---|---|---|---|---|
 //! | URDF, SDF, MJCF | centre of mass | body axes | elements of the tensor, −∫xy dm | f64 |
-//! | MJCF principal, USD | centre of mass | principal axes, turned by a quaternion (w, x, y, z) | none | f64; USD reads f32 |
-//! | JSBSim | centre of mass | body axes, as its structural frame: x aft, y right, z up; lb, in, slug·ft² | elements of the tensor, −∫xy dm | f64 |
-//! | RocketPy, Basilisk | centre of mass | body axes; RocketPy: z along the rocket, towards its nose | elements of the tensor, −∫xy dm | f64 |
+//! | MJCF principal, USD | centre of mass | principal axes, by a quaternion (w, x, y, z) | none | f64; USD f32 |
+//! | JSBSim | centre of mass | body: x aft, y right, z up; lb, in, slug·ft² | −∫xy dm | f64 |
+//! | RocketPy | centre of mass | body: z along the rocket, towards its nose | −∫xy dm | f64 |
+//! | Basilisk | centre of mass | body axes | −∫xy dm | f64 |
 //! | SolidWorks | centre of mass, and the origin | body axes | "positive tensor notation", +∫xy dm | f64 |
 //! | CSV | centre of mass | body axes, and principal ones | elements of the tensor, −∫xy dm | f64 |
 //!

@@ -224,7 +224,8 @@ pub const PARQUET: &[u8] = b"PAR1";
 /// ```
 /// use polhode::infer::judge::{OmegaAxes, QuaternionOrder};
 /// use polhode_table::log;
-/// let text = "# engine = \"MuJoCo, RK4\"\ntime_ms,qx,qy,qz,qw,gyro_x,gyro_y,gyro_z,note\n0,0,0,0.6,0.8,0,1,2,a\n250,0,0.6,0,0.8,0,1,2,b\n";
+/// let text = "# engine = \"MuJoCo, RK4\"\ntime_ms,qx,qy,qz,qw,gyro_x,gyro_y,gyro_z,note\n\
+///     0,0,0,0.6,0.8,0,1,2,a\n250,0,0.6,0,0.8,0,1,2,b\n";
 /// let read = log::from_bytes(text.as_bytes(), None)?;
 /// assert_eq!(read.log.times(), [0.0, 0.25]);
 /// assert_eq!(read.log.attitude()[0], [0.0, 0.0, 0.6, 0.8]);

@@ -59,7 +59,8 @@ pub enum UpAxis {
 ///     <triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
 ///   </mesh></geometry></library_geometries>
 ///   <library_visual_scenes><visual_scene id="s"><node name="low"><instance_geometry url="#flake"/></node>
-///     <node name="high"><translate>0 0 10</translate><instance_geometry url="#flake"/></node></visual_scene></library_visual_scenes>
+///     <node name="high"><translate>0 0 10</translate><instance_geometry url="#flake"/></node>
+///   </visual_scene></library_visual_scenes>
 ///   <scene><instance_visual_scene url="#s"/></scene>
 /// </COLLADA>"##;
 /// let contents = read(flake)?;

@@ -44,7 +44,8 @@ use crate::motion::model::state::State;
 /// assert_eq!(CubicDrag { c: 0.5 }.at(&rotor, &state).to_array(), [-4.5, -9.0, 9.0]);
 /// // Integrated by Taylor's method, with that of all others:
 /// let torques = vec![polhode::motion::torque::TorqueModel::own("cubic drag", CubicDrag { c: 0.5 })];
-/// # let run = polhode::motion::Trajectory::compute(&rotor, &torques, state, &[1.0], polhode::motion::Method::Auto, 1e-12)?;
+/// # use polhode::motion::{Method, Trajectory};
+/// # let run = Trajectory::compute(&rotor, &torques, state, &[1.0], Method::Auto, 1e-12)?;
 /// # assert!(run.samples()[0].state.omega.norm() < 3.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -36,7 +36,8 @@ pub enum Reference {
 /// let orbit = Orbit::circular(MU_EARTH, 6.778e6, radial, motion)?;
 /// let camera = Pointing::new("camera", Direction::new(0.0, 0.0, 1.0), Reference::Nadir(orbit.clone()))?;
 /// // Turned with the orbit, the z axis stays at the nadir.
-/// let at = |time: f64| State { time, attitude: orbit.local_axes(time) * Rotation::identity(), omega: AngularVelocity::ZERO };
+/// let attitude = |time: f64| orbit.local_axes(time) * Rotation::identity();
+/// let at = |time: f64| State { time, attitude: attitude(time), omega: AngularVelocity::ZERO };
 /// assert!(camera.angle(&at(1234.5)) < 1e-15);
 /// # Ok::<(), polhode::motion::MotionError>(())
 /// ```
@@ -120,7 +121,7 @@ impl Pointing {
     /// [`MotionError::ParameterOutOfRange`] unless it is between 0 and π.
     pub fn with_limit(self, limit: f64) -> Result<Self, MotionError> {
         let holds = 0.0 < limit && limit < PI;
-        require::that("the limit of a pointing angle", limit, holds, "between 0 and 180 degrees")?;
+        require::that("the limit of a pointing angle", limit, holds, "between 0 and π rad")?;
         Ok(Self { limit: Some(limit), ..self })
     }
 

@@ -37,7 +37,8 @@ impl StateDerivatives {
     /// let body = MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0, 2.0, 3.0])?)?;
     /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.0, 0.0, 0.5) };
     /// let after = FreeMotionDerivatives::of(&Rotor::free(&body), start)?.at(7.0);
-    /// // ω about the axis of the spin is known to 0.01 rad/s, and the angle at the start to 0.03 rad, both too large if one is.
+    /// // ω about the axis of the spin is known to 0.01 rad/s, and the angle at the start to
+    /// // 0.03 rad, both too large if one is.
     /// let mut joint = vec![vec![0.0; 12]; 12];
     /// (joint[2][2], joint[5][5], joint[2][5], joint[5][2]) = (9e-4, 1e-4, 3e-4, 3e-4);
     /// let covariance = after.joint_covariance(&[], &joint).ok_or("not of 12 numbers")?;

@@ -168,7 +168,8 @@ impl Scenario {
     /// use polhode::body::InertiaTensor;
     /// use polhode::motion::{MassHistory, MassRow, Method, Outflow, Run};
     /// use polhode::prelude::*;
-    /// // A ball of 1 kg drops half of itself at 2 s and keeps its ω; the same torque makes it faster twice as fast from then on.
+    /// // A ball of 1 kg drops half of itself at 2 s and keeps its ω; from then on the same torque
+    /// // makes it faster twice as fast.
     /// let ball = |mass: f64| MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([0.4 * mass; 3])?);
     /// let row = |time, body| MassRow { time, body, rates: None };
     /// let rows = [row(0.0, ball(1.0)?), row(2.0, ball(1.0)?), row(2.0, ball(0.5)?)];

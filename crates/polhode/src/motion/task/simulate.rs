@@ -103,7 +103,8 @@ impl Scenario {
     /// use std::num::NonZero;
     /// let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2])?;
     /// let body = MassProperties::new(2.0, Position::new(0.0, 0.1, 0.5), inertia)?;
-    /// let scenario = Scenario::new(body).held_at(Position::ZERO)?.with_torques([TorqueModel::Gravity(UniformGravity::STANDARD)])?;
+    /// let gravity = TorqueModel::Gravity(UniformGravity::STANDARD);
+    /// let scenario = Scenario::new(body).held_at(Position::ZERO)?.with_torques([gravity])?;
     /// let start = |spin| State { omega: AngularVelocity::new(0.3, -0.2, spin), ..scenario.start() };
     /// let members = [3.0, 4.0, 5.0].map(|spin| scenario.clone().starting(start(spin))?.member());
     /// let ensemble = Ensemble::new(members.into_iter().collect::<Result<_, _>>()?)?;

@@ -66,7 +66,8 @@ impl PermanentRotation {
     /// let body = Rotor::free(&MassProperties::new(14.0, Position::ZERO, inertia)?);
     /// let spin = PermanentRotation::of(&body, AngularVelocity::new(0.0, 0.0, 10.0))?;
     /// assert!(matches!(spin.stability, Stability::Stable { .. }));
-    /// let DissipativeLimit::Leaves { rate, .. } = spin.with_friction(&EnergySink::new(0.002)?) else { return Err("it stays".into()) };
+    /// let limit = spin.with_friction(&EnergySink::new(0.002)?);
+    /// let DissipativeLimit::Leaves { rate, .. } = limit else { return Err("it stays".into()) };
     /// assert!((rate - 0.002 * 4.0 * (1.0 / 0.2 - 1.0 / 5.0)).abs() < 1e-15); // α L² (1/I − 1/J)
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

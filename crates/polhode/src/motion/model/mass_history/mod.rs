@@ -118,14 +118,16 @@ pub struct MassRates {
 /// ```
 /// use polhode::prelude::*;
 /// use polhode::motion::{Exit, MassHistory, MassRow, Outflow};
-/// // A cylinder of radius a that burns evenly from 3 kg to 1 kg in 10 s and leaves through all of its end keeps its spin: Iz = ½ M a²,
-/// // d(Iz ω)/dt = −½ µ a² ω.
+/// // A cylinder of radius a that burns evenly from 3 kg to 1 kg in 10 s and leaves through all of
+/// // its end keeps its spin: Iz = ½ M a², d(Iz ω)/dt = −½ µ a² ω.
 /// let cylinder = |time: f64| {
 ///     let m = 3.0 - 0.2 * time;
 ///     let inertia = InertiaTensor::diagonal([m * 0.85, m * 0.85, m * 0.02])?;
-///     Ok::<_, polhode::body::BodyError>(MassRow { time, body: MassProperties::new(m, Position::ZERO, inertia)?, rates: None })
+///     let body = MassProperties::new(m, Position::ZERO, inertia)?;
+///     Ok::<_, polhode::body::BodyError>(MassRow { time, body, rates: None })
 /// };
-/// let exit = Exit { share: 1.0, position: Position::new(0.0, 0.0, -1.5), axis: Direction::new(0.0, 0.0, 1.0), radius: 0.2 };
+/// let (position, axis) = (Position::new(0.0, 0.0, -1.5), Direction::new(0.0, 0.0, 1.0));
+/// let exit = Exit { share: 1.0, position, axis, radius: 0.2 };
 /// let history = MassHistory::new(&[cylinder(0.0)?, cylinder(10.0)?], Outflow::Exits(vec![exit]))?;
 /// let rotor = history.rotor(0.0, None)?;
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.1, 0.0, 2.0) };

@@ -1,12 +1,15 @@
-// Builds the pages: the one that polhode writes, one HTML file with its style and script inside and a placeholder for the data, and that of
-// `polhode live`, whose style and script are files of their own; and what notebooks have around the first. Writes
-// crates/polhode-scenario/assets/viewer.html, crates/polhode-live/assets/ and crates/polhode-py/python/polhode/; with --check it only compares, and
-// fails if those files are not this build.
+// Builds the pages. Without arguments: the replay that polhode writes, one HTML file with its style and script inside and a placeholder for the
+// data, and what notebooks have around it, in crates/polhode-scenario/assets/viewer.html and crates/polhode-py/python/polhode/; with --check it only
+// compares, and fails if those files are not this build.
+// With --module MODULE.wasm --page PAGE.html: the interactive page, one file with the engine, the script and the style inside.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
+import { parseArgs } from "node:util";
+import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
 
+const { values: given } = parseArgs({ options: { check: { type: "boolean" }, plain: { type: "boolean" }, module: { type: "string" }, page: { type: "string" } } });
 const here = dirname(fileURLToPath(import.meta.url));
 const assets = (crate) => resolve(here, `../crates/${crate}/assets`);
 const read = (path) => readFileSync(resolve(here, path), "utf8");
@@ -17,7 +20,7 @@ const bundle = async (entry, options) => {
     absWorkingDir: here,
     entryPoints: [entry],
     bundle: true,
-    minify: !process.argv.includes("--plain"),
+    minify: !given.plain,
     charset: "utf8",
     legalComments: "none",
     write: false,
@@ -60,32 +63,45 @@ const inside = (what, text) => {
 };
 
 const index = read("index.html");
-let replay = put(put(index, "<!--banner-->", banner), "<!--style-->", inside("style", await style("src/theme.css")));
-replay = put(replay, "<!--script-->", inside("script", await script("src/main.ts", "")));
-if (replay.split("<!--polhode-data-->").length !== 2) throw new Error("the page needs one place for the data");
+const built = given.module ? await interactive() : await replay();
 
-// The server sends the policy.
-let live = index.replace(/<meta http-equiv="Content-Security-Policy"[^>]*>\n/, "");
-live = put(live, "<!--banner-->", banner.replace("\nuPlot", `\nCodeMirror ${version("@codemirror/view")}, MIT licence, copyright 2018-2026 Marijn Haverbeke and others,\nuPlot`));
-live = put(live, "<!--style-->", '<link rel="icon" href="data:,">\n<link rel="stylesheet" href="live.css">');
-live = put(live, "<!--polhode-data-->\n", "");
-live = put(live, "<!--script-->", '<script src="live.js"></script>');
+/** The replay, and what notebooks have around it. */
+async function replay() {
+  let page = put(put(index, "<!--banner-->", banner), "<!--style-->", inside("style", await style("src/theme.css")));
+  page = put(page, "<!--script-->", inside("script", await script("src/main.ts", "")));
+  if (page.split("<!--polhode-data-->").length !== 2) throw new Error("the page needs one place for the data");
+  const wheel = resolve(assets("polhode-py"), "../python/polhode");
+  const display = await bundle("src/notebook/display.ts", { format: "iife", target: "es2022" });
+  inside("script", display);
+  return {
+    [`${assets("polhode-scenario")}/viewer.html`]: page,
+    [`${wheel}/_display.js`]: display,
+    [`${wheel}/_widget.js`]: await bundle("src/notebook/widget.ts", { format: "esm", target: "es2022" }),
+    [`${wheel}/_widget.css`]: await style("src/notebook/widget.css"),
+  };
+}
 
-const wheel = resolve(assets("polhode-py"), "../python/polhode");
-const display = await bundle("src/notebook/display.ts", { format: "iife", target: "es2022" });
-inside("script", display);
-const built = {
-  [`${assets("polhode-scenario")}/viewer.html`]: replay,
-  [`${assets("polhode-live")}/live.html`]: live,
-  [`${assets("polhode-live")}/live.css`]: await style("src/live/live.css"),
-  [`${assets("polhode-live")}/live.js`]: await script("src/live/main.ts", version("@codemirror/view")),
-  [`${wheel}/_display.js`]: display,
-  [`${wheel}/_widget.js`]: await bundle("src/notebook/widget.ts", { format: "esm", target: "es2022" }),
-  [`${wheel}/_widget.css`]: await style("src/notebook/widget.css"),
-};
+/** The interactive page: its parts are gzip in base64, which `src/live/boot.ts` unpacks. */
+async function interactive() {
+  const codemirror = version("@codemirror/view");
+  const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}">${gzipSync(bytes, { level: 9 }).toString("base64")}</script>`;
+  const parts = [
+    packed("polhode-module", readFileSync(given.module)),
+    packed("polhode-worker", await bundle("src/live/worker.ts", { format: "iife", target: "es2022" })),
+    packed("polhode-page", await script("src/live/main.ts", codemirror)),
+    inside("script", await bundle("src/live/boot.ts", { format: "iife", target: "es2022" })),
+  ];
+  const policy = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; connect-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";
+  let page = index.replace(/(<meta http-equiv="Content-Security-Policy" content=")[^"]*/, (_, start) => start + policy);
+  page = put(page, "<!--banner-->", banner.replace("\nuPlot", `\nCodeMirror ${codemirror}, MIT licence, copyright 2018-2026 Marijn Haverbeke and others,\nuPlot`));
+  page = put(page, "<!--style-->", `<link rel="icon" href="data:,">\n${inside("style", await style("src/live/live.css"))}`);
+  page = put(page, "<!--polhode-data-->", "<!--polhode-files-->");
+  return { [resolve(given.page)]: put(page, "<!--script-->", parts.join("\n")) };
+}
+
 for (const [path, text] of Object.entries(built)) {
   const name = relative(resolve(here, ".."), path);
-  if (!process.argv.includes("--check")) {
+  if (!given.check) {
     mkdirSync(dirname(path), { recursive: true });
     writeFileSync(path, text);
   } else if (!existsSync(path) || readFileSync(path, "utf8") !== text) {

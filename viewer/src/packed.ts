@@ -5,16 +5,16 @@
 import type { PageData } from "./data";
 import { BadData, checked } from "./decode";
 
-/** Returns the text that was deflated. */
-export async function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).text();
+/** Returns the bytes that were deflated. */
+export function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<Blob> {
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).blob();
 }
 
 /** Returns the data of a page. Throws `BadData` if they are damaged. */
 export async function unpack(packed: Uint8Array<ArrayBuffer>): Promise<PageData> {
   let text: string;
   try {
-    text = await inflated(packed);
+    text = await (await inflated(packed)).text();
   } catch {
     throw new BadData("the motion's data are damaged");
   }

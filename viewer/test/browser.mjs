@@ -1,5 +1,5 @@
 // The browser of the tests, and pages in it. CHROMIUM names the executable; else the first on PATH of three names.
-import { accessSync, constants, mkdtempSync, writeFileSync } from "node:fs";
+import { accessSync, constants, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -50,9 +50,20 @@ export async function emptyPage(browser, { viewport, colorScheme = "light", redu
   return { page: one.page, problems: one.problems, close };
 }
 
+/** The page of `polhode live`: its token is the path. */
+const SERVED = /^http:\/\/127\.0\.0\.1:\d+\/[^/]+\/$/;
+
+/** Answers with the page in POLHODE_PAGE, which may be newer than that in the command, as the command would serve it. */
+async function serveFresh(route) {
+  const page = readFileSync(process.env.POLHODE_PAGE, "utf8");
+  const body = page.replace("connect-src 'none'", "connect-src 'self'").replace("<!--polhode-files-->", '<meta name="polhode-files" content="files">');
+  await route.fulfill({ body, contentType: "text/html" });
+}
+
 async function newPage(browser, { smooth = false, ...options }) {
   const context = await browser.newContext({ acceptDownloads: true, ...options });
   if (!smooth) await context.addInitScript(withRoughEdges);
+  if (process.env.POLHODE_PAGE) await context.route(SERVED, serveFresh);
   const page = await context.newPage();
   // Beside a compilation the software renderer is slow.
   page.setDefaultTimeout(180_000);

@@ -5,7 +5,7 @@
 use crate::{Outcome, read, root};
 
 /// Crates, each with the crates that it may use.
-const MAY_USE: [(&str, &[&str]); 15] = [
+const MAY_USE: [(&str, &[&str]); 16] = [
     ("polhode", &[]),
     ("polhode-source", &["polhode"]),
     ("polhode-document", &["polhode"]),
@@ -18,6 +18,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
     ("polhode-budget", &SLICE),
     ("polhode-sweep", &SLICE),
     ("polhode-web", &WITH_ROBOT),
+    ("polhode-wasm", &["polhode-source", "polhode-web"]),
     ("polhode-live", &["polhode-source", "polhode-web"]),
     ("polhode-cli", FRONT.split_at(13).0),
     ("polhode-py", &FRONT),
@@ -80,7 +81,8 @@ fn wrong(name: &str, manifest: &str) -> Vec<String> {
         }
         let used = line.split(['.', ' ', '=']).next().unwrap_or_default();
         let is_ours = used == "polhode" || used.starts_with("polhode-");
-        if section == "[dependencies]" && is_ours && !allowed.contains(&used) {
+        let is_dependency = section.ends_with("dependencies]") && !section.contains("dev-");
+        if is_dependency && is_ours && !allowed.contains(&used) {
             found.push(format!("\n  {name} may not use {used}"));
         }
     }

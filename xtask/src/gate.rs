@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use crate::process::{self, FEATURES, cargo, joined};
 use crate::{
-    Outcome, api, arrows, book, circles, dependencies, dist, examples, files, layers, packages, prose,
+    Outcome, api, arrows, book, circles, dependencies, dist, examples, files, layers, packages, page, prose,
     python, readme, root, solutions, viewer, workflows,
 };
 
@@ -49,14 +49,14 @@ pub(crate) fn run() -> Outcome {
         let pandoc = environment.pandoc()?;
         timed("workflows", || workflows::check(&environment))?;
         joined(viewer)?;
-        let live = scope.spawn(|| timed("live page", viewer::check_live));
+        let page = scope.spawn(|| timed("interactive page", page::check));
         // The wheel is built before other steps call cargo, which runs one build at a time.
         let wheel = timed("wheel", || python::install_wheel(&environment))?;
         let python = scope.spawn(move || timed("Python", || python::check_in(environment, &wheel)));
         THEN.iter().try_for_each(run_step)?;
         timed("book", || book::build_in(&joined(book)?))?;
         timed("worked solutions", || solutions::check(&pandoc))?;
-        joined(live)?;
+        joined(page)?;
         joined(python)
     })?;
     println!("\nall passed in {:.0} s", start.elapsed().as_secs_f64());
@@ -69,6 +69,9 @@ pub(crate) fn run() -> Outcome {
 pub(crate) fn run_nightly() -> Outcome {
     process::NIGHTLY.store(true, Ordering::Relaxed);
     run()?;
+    page::build(page::Build::Release)?;
+    viewer::check_page()?;
+    viewer::check_bits()?;
     let programs = files(&root().join("fuzz/fuzz_targets"), "rs")?;
     let targets: Vec<_> = programs.iter().filter_map(|path| path.file_stem()?.to_str()).collect();
     let all = ["test", "--workspace", "--locked", "--features", FEATURES, "--test", "*", "--", "--ignored"];

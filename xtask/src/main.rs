@@ -15,6 +15,7 @@ mod layers;
 mod licence;
 mod notices;
 mod packages;
+mod page;
 mod process;
 mod prose;
 mod python;
@@ -47,6 +48,8 @@ usage: cargo xtask TASK
   corpus     what the check finds in FOLDER…, work trees of public models, on book/corpus.md; needs git
   engines    what engines make of the suite, FOLDER… of their runs, on book/judge-engines.md
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
+  page       polhode.html, the interactive page with the engine in WebAssembly, into target/page/, for a release: its size is checked, its tests pass in a
+             browser, its motions have the bits of a native build, and the command takes it over; after `npm ci` in viewer/
   python     the Python package: its wheel is built, and its tests and examples pass from there
   workflows  the workflows of GitHub, as their schema and zizmor read them
   dist       the program for one platform, packed with man pages, completions and examples, into target/dist/; --target for another than
@@ -74,7 +77,8 @@ fn main() -> ExitCode {
         ["speed"] => speed::measure(),
         ["corpus", ref folders @ ..] if !folders.is_empty() => corpus::audit(folders),
         ["engines", ref folders @ ..] if !folders.is_empty() => engines::grade(folders),
-        ["viewer"] => viewer::check().and_then(|()| viewer::check_live()),
+        ["viewer"] => viewer::check().and_then(|()| page::check()),
+        ["page"] => page::release(),
         ["python"] => python::check(),
         ["dist"] => dist::make(None),
         ["dist", "--target", target] => dist::make(Some(target)),

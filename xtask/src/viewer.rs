@@ -5,8 +5,8 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use crate::process::{output, run, run_beside};
-use crate::{Outcome, root};
+use crate::process::{cargo, output, run, run_beside};
+use crate::{Outcome, page, root};
 
 /// Oldest major version of Node for the build and the tests.
 const NODE: u32 = 20;
@@ -20,17 +20,34 @@ pub(crate) fn check() -> Outcome {
     node()?;
     let chromium = chromium()?;
     run_beside(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
-    // The script `test` first checks the types, then the bundles. These are
-    // crates/polhode-scenario/assets/viewer.html and the files in crates/polhode-live/assets.
+    // The script `test` first checks the types, then the bundles.
     run_beside(npm(&["test"]).env("CHROMIUM", chromium))
 }
 
-/// Runs the tests of the live page in a browser, with the command built by the tests, after
-/// [`check`].
-pub(crate) fn check_live() -> Outcome {
+/// Runs the tests of the interactive page in a browser, with the command built by the tests, after
+/// [`check`]. The page is the one in `target/page/`.
+pub(crate) fn check_page() -> Outcome {
     let name = format!("polhode{}", std::env::consts::EXE_SUFFIX);
     let command = root().join("target/debug").join(name);
-    run_beside(npm(&["run", "test:live"]).env("CHROMIUM", chromium()?).env("POLHODE", command))
+    let page = page::folder().join("polhode.html");
+    let tests = &mut npm(&["run", "test:page"]);
+    run_beside(tests.env("CHROMIUM", chromium()?).env("POLHODE", command).env("POLHODE_PAGE", page))
+}
+
+/// Compares the bits of 11,000 motions in `target/page/polhode.wasm`, in Node and in a browser, with
+/// those of a native build without fused multiply–add.
+pub(crate) fn check_bits() -> Outcome {
+    let folder = page::folder();
+    let native = folder.join("native");
+    let example = ["build", "--locked", "--package", "polhode-web", "--example", "answers", "--release"];
+    run(cargo(&example).env("CARGO_TARGET_DIR", &native).env("RUSTFLAGS", "--cfg no_avx512 --cfg no_avx2"))?;
+    let answers = native.join(format!("release/examples/answers{}", std::env::consts::EXE_SUFFIX));
+    run_beside(
+        npm(&["run", "test:bits"])
+            .env("CHROMIUM", chromium()?)
+            .env("POLHODE_ANSWERS", answers)
+            .env("POLHODE_MODULE", folder.join("polhode.wasm")),
+    )
 }
 
 fn npm(arguments: &[&str]) -> Command {

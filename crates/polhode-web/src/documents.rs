@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use polhode_scenario::read::Draft;
 use polhode_shape::brep::BrepFormat;
-use polhode_source::files::{Files, Look};
+use polhode_source::files::{self, Files, Look};
 
 use crate::inspect::{DocumentContent, MeshInspection, RobotInspection};
 use crate::kind::Kind;
@@ -58,6 +58,25 @@ pub struct DroppedSet {
     pub folder: PathBuf,
     /// Files of the set: a file may refer only to these.
     pub files: Vec<PathBuf>,
+}
+
+impl DroppedSet {
+    /// Returns the set of all files below a folder.
+    pub fn of(folder: PathBuf, files: &dyn Files) -> Self {
+        let mut found = Vec::new();
+        below(&folder, files, &mut found);
+        Self { folder, files: found }
+    }
+}
+
+fn below(folder: &Path, files: &dyn Files, found: &mut Vec<PathBuf>) {
+    for (path, kind) in files.entries(folder).unwrap_or_default() {
+        match kind {
+            files::Kind::Folder => below(&path, files, found),
+            files::Kind::File => found.push(path),
+            files::Kind::Other => {}
+        }
+    }
 }
 
 /// All documents of a session.

@@ -61,19 +61,29 @@ impl Engine {
         files: &dyn Files,
         watch: &dyn Watch,
     ) -> Result<Self, LessonError> {
-        let (documents, lessons) = (Documents::default(), Lessons::beginning_with(name)?);
-        if let Some(id) = &lessons.first {
-            lessons.open(id, &documents, files, watch).map_err(|error| match error {
-                lesson::Error::Wrong(error) => error,
-                lesson::Error::Unknown => lesson::unknown(Path::new(name)),
-            })?;
-        }
-        Ok(Self { documents, lessons })
+        let engine = Self::default();
+        engine.begin_lesson(name.as_ref(), files, watch)?;
+        Ok(engine)
+    }
+
+    /// Begins with a lesson, and returns its id.
+    fn begin_lesson(
+        &self,
+        name: &Path,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<&str, LessonError> {
+        let id = self.lessons.begin_with(name)?;
+        self.lessons.open(id, &self.documents, files, watch).map_err(|error| match error {
+            lesson::Error::Wrong(error) => error,
+            lesson::Error::Unknown => lesson::unknown(name),
+        })?;
+        Ok(id)
     }
 
     /// Returns the id of the lesson with which the session begins.
     pub fn first_lesson(&self) -> Option<&str> {
-        self.lessons.first.as_deref()
+        self.lessons.first()
     }
 
     /// Opens the default scenario as a document.
@@ -214,7 +224,13 @@ impl Engine {
                 with_rows(&answer, answer.motion.as_ref().map_or(&[], |motion| &motion.rows))
             }
             Message::Complete(request) => json(&self.complete(&request)?),
-            Message::Open { path } => json(&self.open(&path, None, files, watch)?),
+            Message::LessonFile { path } => {
+                json(&serde_json::json!({ "id": self.begin_lesson(&path, files, watch).map_err(lesson::Error::Wrong)? }))
+            }
+            Message::Open { path, set } => {
+                let set = set.map(|folder| DroppedSet::of(folder, files));
+                json(&self.open(&path, set.as_ref(), files, watch)?)
+            }
             Message::OpenExample => json(&self.open_example(files)),
         }
     }

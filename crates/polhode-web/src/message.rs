@@ -45,10 +45,18 @@ pub enum Message {
     Motion(MotionRequest),
     /// Completes a text.
     Complete(CompleteRequest),
+    /// Begins with a teacher's own lesson, and returns its id.
+    LessonFile {
+        /// Path of the file in the source of files.
+        path: PathBuf,
+    },
     /// Opens a file.
     Open {
         /// Path of the file in the source of files.
         path: PathBuf,
+        /// Folder of a set of dropped files: a file of the set may refer only to files in it.
+        #[serde(default)]
+        set: Option<PathBuf>,
     },
     /// Opens the default scenario.
     OpenExample,

@@ -1,11 +1,11 @@
 /**
- * Files and folders that are dropped on the page, or chosen. They are sent to the server as one
+ * Files and folders that are dropped on the page, or chosen. They are given to the engine as one
  * set, and then opened.
  */
 import { element } from "../dom";
 import { chosen, dropped, type DroppedFile, sorted } from "./dropped";
 import type { DocumentInfo } from "./protocol";
-import { Refused, server } from "./server";
+import { engine, Refused } from "./engine";
 
 /**
  * Maximum number of models or scenarios that are opened. All files of the set may refer to each
@@ -17,6 +17,8 @@ export class Drop {
   readonly button: HTMLElement;
   readonly #opened: (document: DocumentInfo) => Promise<void>;
   readonly #said: (words: string) => void;
+  /** Number of sets so far. */
+  #sets = 0;
 
   constructor(opened: (document: DocumentInfo) => Promise<void>, said: (words: string) => void) {
     this.#opened = opened;
@@ -61,10 +63,10 @@ export class Drop {
     }
     const [main] = opened;
     this.#said(sent.length === 1 ? `Opening ${main.path} …` : `Opening ${main.path} with ${sent.length - 1} more …`);
-    // Below 2⁵³, and large enough that two pages hardly choose the same number.
-    const set = Math.floor(Math.random() * 2 ** 52);
+    this.#sets += 1;
+    const set = `dropped/${this.#sets}`;
     try {
-      for (const { path, file } of sent) await server.drop(set, path, file);
+      for (const { path, file } of sent) await engine.put(`${set}/${path}`, file);
     } catch (problem) {
       this.#said(`${main.path}: ${words(problem)}`);
       return;
@@ -73,7 +75,7 @@ export class Drop {
     let first: DocumentInfo | null = null;
     for (const { path } of opened.slice(0, MOST)) {
       try {
-        const document = await server.open({ set, name: path });
+        const document = await engine.open(`${set}/${path}`, set);
         first ??= document;
       } catch (problem) {
         problems.push(`${path}: ${words(problem)}`);

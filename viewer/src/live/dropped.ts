@@ -32,8 +32,8 @@ export function chosen(files: FileList | null): DroppedFile[] {
 }
 
 /**
- * Selects the files to open, the first one first, and the files to send to the server. From a
- * folder, only files that a page can show or a model can refer to are sent, because packages
+ * Selects the files to open, the first one first, and the files to give to the engine. From a
+ * folder, only files that a page can show or a model can refer to are given, because packages
  * contain many others.
  */
 export async function sorted(files: DroppedFile[]): Promise<{ sent: DroppedFile[]; opened: DroppedFile[] }> {

@@ -1,5 +1,5 @@
 /**
- * Editor of the scenario's text. Errors are underlined, with their hints. The server completes keys
+ * Editor of the scenario's text. Errors are underlined, with their hints. The engine completes keys
  * and units.
  */
 import { autocompletion, type CompletionContext, type CompletionResult, completionKeymap } from "@codemirror/autocomplete";
@@ -12,7 +12,7 @@ import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } f
 import { tags } from "@lezer/highlight";
 import { element } from "../dom";
 import type { TextError } from "./protocol";
-import { server } from "./server";
+import { engine } from "./engine";
 import type { Session } from "./session";
 
 /** Delay after the last keystroke, ms. */
@@ -119,7 +119,7 @@ export class Editor {
     const stop = new AbortController();
     context.addEventListener("abort", () => stop.abort());
     try {
-      const { from, to, options } = await server.complete({ document: document.id, text: context.state.doc.toString(), at: context.pos }, stop.signal);
+      const { from, to, options } = await engine.complete({ document: document.id, text: context.state.doc.toString(), at: context.pos }, stop.signal);
       return options.length > 0 ? { from, to, options: options.map(({ label, detail }) => ({ label, detail })) } : null;
     } catch {
       return null;

@@ -1,22 +1,11 @@
-/** Requests to the server, according to the protocol. */
+/** Requests to the engine, which computes in a worker of the page. */
 import { motionAnswer } from "./motion-answer";
+import { embedded } from "./embedded";
+import type { CompleteAnswer, CompleteRequest, DocumentContent, DocumentInfo, Documents, Lesson, Lessons, MeshContent, MotionAnswer, MotionRequest, Refusal } from "./protocol";
 import { jsonAndRows } from "./rows";
-import type {
-  CompleteAnswer,
-  CompleteRequest,
-  DocumentContent,
-  Documents,
-  Lesson,
-  Lessons,
-  MeshContent,
-  MotionAnswer,
-  MotionRequest,
-  OpenAnswer,
-  OpenRequest,
-  Refusal,
-} from "./protocol";
+import { Workshop } from "./workshop";
 
-/** A refusal of the server, or no answer. */
+/** A refusal of the engine. */
 export class Refused extends Error {
   readonly hint: string | null;
 
@@ -27,58 +16,50 @@ export class Refused extends Error {
   }
 }
 
-export const server = {
+const workshop = new Workshop(embedded.module, embedded.worker);
+
+export const engine = {
   documents: (): Promise<Documents> => ask("documents"),
-  document: (id: number): Promise<DocumentContent> => content(`document/${id}`),
-  mesh: (id: number): Promise<MeshContent> => content(`mesh/${id}`),
+  document: (id: number): Promise<DocumentContent> => ask({ document: { id } }),
+  mesh: (id: number): Promise<MeshContent> => ask({ mesh: { id } }),
   motion: async (request: MotionRequest, signal: AbortSignal): Promise<MotionAnswer> => {
-    const answer = await answered("motion", posted(request, signal));
-    return motionAnswer(await answer.arrayBuffer());
+    const { bytes, took } = await answered({ motion: request }, { isKept: false, signal });
+    return { ...motionAnswer(bytes), took };
   },
-  complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => ask("complete", posted(request, signal)),
+  complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => ask({ complete: request }, { isKept: false, signal }),
   lessons: (): Promise<Lessons> => ask("lessons"),
-  lesson: (id: string): Promise<Lesson> => ask(`lesson/${encodeURIComponent(id)}`),
-  drop: (set: number, path: string, file: File): Promise<unknown> => {
-    return ask(`drop?${new URLSearchParams({ name: path, set: String(set) })}`, { method: "POST", body: file });
+  lesson: (id: string): Promise<Lesson> => ask({ lesson: { id } }, { isKept: true }),
+  /** Begins with a teacher's own lesson, and returns its id. */
+  lessonFile: (path: string): Promise<{ id: string }> => ask({ lesson_file: { path } }, { isKept: true }),
+  /** Adds a file, or replaces it. */
+  put: async (path: string, bytes: Blob): Promise<void> => {
+    await workshop.do({ path, bytes }, { isKept: true });
   },
-  open: (request: OpenRequest): Promise<OpenAnswer> => ask("open", posted(request)),
+  /** Opens a file. One of a set, a folder, may refer only to files of that folder. */
+  open: (path: string, set: string | null = null): Promise<DocumentInfo> => ask({ open: { path, set } }, { isKept: true }),
+  openExample: (): Promise<DocumentInfo> => ask("open_example", { isKept: true }),
 };
 
-function posted(body: unknown, signal?: AbortSignal): RequestInit {
-  const headers = { "Content-Type": "application/json" };
-  return { method: "POST", headers, body: JSON.stringify(body), ...(signal ? { signal } : {}) };
-}
+type How = Parameters<Workshop["do"]>[1];
 
-async function ask<T>(path: string, init?: RequestInit): Promise<T> {
-  return (await (await answered(path, init)).json()) as T;
-}
-
-/** Returns the content of a document. A mesh has rows of numbers. */
-async function content<T extends DocumentContent>(path: string): Promise<T> {
-  const answer = await answered(path);
-  if (answer.headers.get("Content-Type") === "application/json") return (await answer.json()) as T;
-  const { json, withRows } = jsonAndRows<T>(await answer.arrayBuffer());
+async function ask<T>(message: unknown, how: How = { isKept: false }): Promise<T> {
+  const { bytes } = await answered(message, how);
+  const { json, withRows } = jsonAndRows<T>(bytes);
   return withRows(json);
 }
 
-async function answered(path: string, init?: RequestInit): Promise<Response> {
-  let answer: Response;
-  try {
-    answer = await fetch(path, { cache: "no-store", ...init });
-  } catch (problem) {
-    if (problem instanceof DOMException && problem.name === "AbortError") throw problem;
-    throw new Refused({ message: "polhode live does not answer", hint: "it has ended, or another program has its port; start it again" });
-  }
-  if (answer.ok) return answer;
-  throw new Refused(await refusal(answer));
+async function answered(message: unknown, how: How): Promise<{ bytes: ArrayBuffer; took: number }> {
+  const answer = await workshop.do({ request: JSON.stringify(message) }, how);
+  const refusal = refusalIn(answer.bytes);
+  if (refusal) throw new Refused(refusal);
+  return answer;
 }
 
-async function refusal(answer: Response): Promise<Refusal> {
-  try {
-    const { message, hint } = (await answer.json()) as Partial<Refusal>;
-    if (typeof message === "string") return { message, hint: hint ?? null };
-  } catch {
-    // The body is not a refusal of the server.
-  }
-  return { message: `the server answers ${answer.status} ${answer.statusText}`, hint: null };
+const REFUSAL = new TextEncoder().encode('{"refusal":');
+
+function refusalIn(bytes: ArrayBuffer): Refusal | null {
+  const first = new Uint8Array(bytes, 0, Math.min(REFUSAL.length, bytes.byteLength));
+  if (first.length < REFUSAL.length || !first.every((byte, k) => byte === REFUSAL[k])) return null;
+  const { refusal } = JSON.parse(new TextDecoder().decode(bytes)) as { refusal: Refusal | null };
+  return refusal ?? { message: "the engine could not write its answer", hint: null };
 }

@@ -6,7 +6,7 @@ import type { App } from "../app";
 import { element } from "../dom";
 import { working } from "../panels/working";
 import type { DocumentInfo, Lesson, LessonInfo, LessonStep } from "./protocol";
-import { Refused, server } from "./server";
+import { engine, Refused } from "./engine";
 import type { Session } from "./session";
 
 interface Surroundings {
@@ -81,8 +81,8 @@ export class Lessons {
 
   async #read(id: string): Promise<boolean> {
     try {
-      const lesson = await server.lesson(id);
-      const { documents } = await server.documents();
+      const lesson = await engine.lesson(id);
+      const { documents } = await engine.documents();
       const document = documents.find((one) => one.id === lesson.document);
       if (!document) throw new Error("the lesson's scenario is not there");
       [this.#lesson, this.#document] = [lesson, document];
@@ -105,7 +105,7 @@ export class Lessons {
   async #list(): Promise<void> {
     let all: LessonInfo[] = [];
     try {
-      all = (await server.lessons()).lessons;
+      all = (await engine.lessons()).lessons;
     } catch (problem) {
       this.#of.say(problem instanceof Error ? problem.message : String(problem));
     }

@@ -2,17 +2,18 @@
 import { App, orSay } from "../app";
 import { byId, element } from "../dom";
 import { Actions } from "./actions";
-import { Watch } from "./documents";
 import { Drop } from "./drop";
 import { Editor } from "./editor";
 import { EMPTY } from "./empty";
+import { Files } from "./files";
 import { Inspection } from "./inspection/inspection";
 import { Knobs } from "./knobs";
 import { lessonOf, Lessons } from "./lesson";
 import { readFragment } from "./link";
 import { Notice } from "./notice";
 import { MomentsPad } from "./pad";
-import { server } from "./server";
+import type { DocumentInfo } from "./protocol";
+import { engine } from "./engine";
 import { Session } from "./session";
 import { Shown } from "./shown";
 import { Throw } from "./throw";
@@ -103,25 +104,35 @@ function troubles(session: Session): void {
 }
 
 async function begin(session: Session, shown: Shown, notice: Notice, lessons: Lessons): Promise<void> {
-  const watch = new Watch(
-    (all) => void shown.update(all),
-    (isLost) => document.body.classList.toggle("lost", isLost),
-  );
+  const files = new Files();
   try {
-    const { documents, first } = await server.documents();
     const linked = await readFragment(location.hash).catch(() => {
       notice.say("The link is damaged: this is the document itself.");
       return null;
     });
-    const wanted = (linked && documents.find(({ name, kind }) => kind === "scenario" && name === linked.name)) ?? documents.find(({ id }) => id === first) ?? documents[0];
-    watch.start(documents);
+    await files.open();
+    if (files.problems.length > 0) notice.say(files.problems.join("\n"));
+    let { documents, first } = await engine.documents();
+    if (linked && !documents.some((one) => isOf(one, linked))) {
+      // The link has the scenario's text, but the page does not have its file.
+      const path = `linked/${linked.name}`;
+      await engine.put(path, new Blob([linked.text]));
+      await engine.open(path, "linked");
+      ({ documents, first } = await engine.documents());
+    }
+    const wanted = (linked && documents.find((one) => isOf(one, linked))) ?? documents.find(({ id }) => id === first) ?? documents[0];
     void shown.update(documents);
-    const lesson = lessonOf(location.hash);
+    const lesson = lessonOf(location.hash) ?? files.lesson;
     if (lesson !== null) await lessons.open(lesson);
-    if (session.document) return;
-    if (wanted) await shown.open(wanted, linked?.text);
-    else notice.say("Drop a scenario, a mesh, a robot, a molecule or particles on the page, or open a file.");
+    if (!session.document && wanted) await shown.open(wanted, linked?.text);
+    else if (!session.document) notice.say("Drop a scenario, a mesh, a robot, a molecule or particles on the page, or open a file.");
+    files.watch(
+      (all) => void shown.update(all),
+      (isLost) => document.body.classList.toggle("lost", isLost),
+    );
   } catch (problem) {
     notice.say(problem instanceof Error ? problem.message : String(problem));
   }
 }
+
+const isOf = ({ kind, name }: DocumentInfo, linked: { name: string }): boolean => kind === "scenario" && name === linked.name;

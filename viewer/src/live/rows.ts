@@ -1,7 +1,9 @@
-/** Answers with rows of numbers after the JSON, which are read in place. */
+/** Answers: JSON, or JSON with rows of numbers after it, which are read in place. */
 
 /** Size of the length of the JSON, bytes. */
 const WORD = 8;
+/** The character "{". */
+const OPENING = 0x7b;
 const KINDS = { f64: Float64Array, f32: Float32Array, u32: Uint32Array };
 
 /**
@@ -9,6 +11,8 @@ const KINDS = { f64: Float64Array, f32: Float32Array, u32: Uint32Array };
  * numbers.
  */
 export function jsonAndRows<T>(bytes: ArrayBuffer): { json: T; withRows: <U>(value: U) => U } {
+  // With rows, the first byte is that of a length, which is a multiple of eight; "{" is not.
+  if (new Uint8Array(bytes)[0] === OPENING) return { json: JSON.parse(new TextDecoder().decode(bytes)) as T, withRows: (value) => value };
   const length = Number(new DataView(bytes).getBigUint64(0, true));
   const json = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, WORD, length))) as T;
   const withRows = <U>(value: U): U => {

@@ -1,12 +1,12 @@
 /**
  * The session: the scenario's text is the only state. Knobs and scene request edits, and the editor
- * sends a new text. The server answers with the text, its motion and its knobs. At most one request
+ * sends a new text. The engine answers with the text, its motion and its knobs. At most one request
  * is in flight. Meanwhile, only the latest value of each key waits.
  */
 import type { FreeData, PageData, Shape } from "../data";
 import { History } from "./history";
 import type { DocumentInfo, Edit, Knob, MotionAnswer, Switch, TextError } from "./protocol";
-import { Refused, server } from "./server";
+import { engine, Refused } from "./engine";
 
 /** Delay after the last change until the slow parts are requested too, ms. */
 const SETTLED = 250;
@@ -44,7 +44,7 @@ export class Session {
    * otherwise.
    */
   trouble: Trouble | null = null;
-  /** Time of the last answer, ms: in the server, and in total. */
+  /** Time of the last answer, ms: in the engine, and in total. */
   took = { there: 0, all: 0 };
   /** Returns true if the worked solution is visible. */
   wantsWorking = (): boolean => false;
@@ -199,7 +199,7 @@ export class Session {
     const working = isFull || this.wantsWorking();
     const request = { document: this.document.id, text: this.text, edits: [...edits.values()], error: isFull, working, body: this.#body?.key ?? null };
     try {
-      const answer = await server.motion(request, flight.stop.signal);
+      const answer = await engine.motion(request, flight.stop.signal);
       if (this.#flight !== flight || version !== this.#version) return;
       this.#flight = null;
       const all = performance.now() - flight.since;

@@ -6,7 +6,7 @@ import { element } from "../dom";
 import type { Inspection } from "./inspection/inspection";
 import type { Notice } from "./notice";
 import type { DocumentContent, DocumentInfo } from "./protocol";
-import { Refused, server } from "./server";
+import { engine, Refused } from "./engine";
 import type { Session } from "./session";
 
 export class Shown {
@@ -49,7 +49,7 @@ export class Shown {
       await this.update(this.#all);
       return;
     }
-    await this.#ask(info, server.document(info.id), asked, text);
+    await this.#ask(info, engine.document(info.id), asked, text);
   }
 
   #toggle(): void {
@@ -58,7 +58,7 @@ export class Shown {
     if (this.#inspection.document) void this.open(info);
     else {
       this.#asked += 1;
-      void this.#ask(info, server.mesh(info.id), this.#asked);
+      void this.#ask(info, engine.mesh(info.id), this.#asked);
     }
   }
 
@@ -89,13 +89,13 @@ export class Shown {
     if (!mine || !now || now.stamp === mine.stamp) return;
     if (this.#inspection.document) {
       this.#asked += 1;
-      await this.#ask(now, now.mesh ? server.mesh(now.id) : server.document(now.id), this.#asked);
+      await this.#ask(now, now.mesh ? engine.mesh(now.id) : engine.document(now.id), this.#asked);
     } else if (!(await this.takes(mine.id))) await this.#reread(now);
   }
 
   async #reread(now: DocumentInfo): Promise<void> {
     const session = this.#session;
-    const content = await server.document(now.id);
+    const content = await engine.document(now.id);
     if (content.kind !== "scenario" || session.document?.id !== now.id) return;
     const { text } = content;
     if (!session.isChanged || text === session.text) {

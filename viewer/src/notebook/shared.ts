@@ -32,7 +32,7 @@ export function known(key: string): Promise<string> | null {
 /** Unpacks a viewer and passes it to all waiting callbacks. */
 export function bring(key: string, packed: Uint8Array<ArrayBuffer>): Promise<string> {
   const { viewers, waiting } = shared();
-  const viewer = viewers.get(key) ?? inflated(packed);
+  const viewer = viewers.get(key) ?? inflated(packed).then((text) => text.text());
   viewers.set(key, viewer);
   for (const then of waiting.get(key) ?? []) then(viewer);
   waiting.delete(key);

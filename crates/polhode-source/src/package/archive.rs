@@ -70,7 +70,8 @@ impl<'a> Archive<'a> {
                 return Err(refuse(&name, "there once"));
             }
         }
-        if zip.has_duplicate_names() || zip.has_overlapping_entries().map_err(fail)? {
+        let is_repeated = directory_length(bytes, zip.central_directory_start()) != zip.len();
+        if is_repeated || zip.has_overlapping_entries().map_err(fail)? {
             let (what, value) =
                 ("the archive".to_owned(), "entries with the same name or overlapping bytes".to_owned());
             let kind = ContentErrorKind::Value { what, value, rule: "entries of their own".to_owned() };
@@ -138,6 +139,21 @@ impl BufRead for Stream<'_, '_> {
         let _ = self.budget.spend(count, 1, String::new);
         self.file.consume(count);
     }
+}
+
+/// Returns the number of entries in the directory at the end of the archive, which begins at
+/// `start`. [`ZipArchive`] keeps only the last of those with the same name.
+fn directory_length(bytes: &[u8], start: u64) -> usize {
+    const LENGTH: usize = 46;
+    let mut rest = usize::try_from(start).ok().and_then(|start| bytes.get(start..)).unwrap_or_default();
+    let mut count = 0;
+    while let Some(header) = rest.first_chunk::<LENGTH>().filter(|header| header.starts_with(b"PK\x01\x02")) {
+        let long = |at: usize| usize::from(u16::from_le_bytes([header[at], header[at + 1]]));
+        // The name, extra fields and comment follow.
+        rest = rest.get(LENGTH + long(28) + long(30) + long(32)..).unwrap_or_default();
+        count += 1;
+    }
+    count
 }
 
 /// Checks that the two descriptions of an entry agree: in the directory at the end of the archive,

@@ -12,7 +12,7 @@ mod included;
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use polhode_source::files::Files;
 
@@ -38,34 +38,39 @@ fn info(id: &str, path: &Path, text: &str) -> Result<LessonInfo, LessonError> {
 /// Lessons of a session: those of the program, and a teacher's own.
 #[derive(Debug, Default)]
 pub(crate) struct Lessons {
-    own: Option<PathBuf>,
+    own: OnceLock<PathBuf>,
     /// Id of the lesson with which the session begins.
-    pub(crate) first: Option<String>,
+    first: OnceLock<String>,
     /// Opened lessons: id, scenario, and the document with the scenario.
     opened: Mutex<Vec<(String, String, Arc<Document>)>>,
 }
 
 impl Lessons {
-    /// Makes the lessons of a session that begins with a lesson: the id of one of the program's, or
-    /// a file.
-    pub(crate) fn beginning_with(name: &str) -> Result<Self, LessonError> {
-        let path = PathBuf::from(name);
-        if text_of(name).is_some() {
-            return Ok(Self { first: Some(name.to_owned()), ..Self::default() });
+    /// Begins with a lesson: the id of one of the program's, or a file. Returns its id. Later calls
+    /// change nothing.
+    pub(crate) fn begin_with(&self, name: &Path) -> Result<&str, LessonError> {
+        if let Some(id) = name.to_str().filter(|id| text_of(id).is_some()) {
+            return Ok(self.first.get_or_init(|| id.to_owned()));
         }
-        if path.extension().is_none_or(|ending| ending != "toml") {
-            return Err(unknown(&path));
+        if name.extension().is_none_or(|ending| ending != "toml") {
+            return Err(unknown(name));
         }
+        self.own.get_or_init(|| name.to_owned());
         // Ids of the program's lessons contain no dot.
-        let id = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Self { first: Some(id), own: Some(path), ..Self::default() })
+        let id = name.file_name().unwrap_or_default().to_string_lossy();
+        Ok(self.first.get_or_init(|| id.into_owned()))
+    }
+
+    /// Returns the id of the lesson with which the session begins.
+    pub(crate) fn first(&self) -> Option<&str> {
+        self.first.get().map(String::as_str)
     }
 
     /// Returns all lessons, the teacher's own first.
     pub(crate) fn list(&self, files: &dyn Files) -> Vec<LessonInfo> {
-        let own = self.own.iter().filter_map(|path| {
+        let own = self.own.get().into_iter().filter_map(|path| {
             let text = read(files, path).ok()?;
-            info(self.first.as_deref()?, path, &text).ok()
+            info(self.first()?, path, &text).ok()
         });
         own.chain(lessons()).collect()
     }
@@ -78,9 +83,9 @@ impl Lessons {
         files: &dyn Files,
         watch: &dyn Watch,
     ) -> Result<Lesson, Error> {
-        let checked = match (text_of(id), &self.own) {
+        let checked = match (text_of(id), self.own.get()) {
             (Some(text), _) => Checked::read(Path::new(&format!("{id}.toml")), text, false, files, watch)?,
-            (None, Some(path)) if self.first.as_deref() == Some(id) => {
+            (None, Some(path)) if self.first() == Some(id) => {
                 let text = read(files, path)
                     .map_err(|error| LessonError::whole(path, format!("cannot be read: {error}")))?;
                 Checked::read(path, &text, true, files, watch)?

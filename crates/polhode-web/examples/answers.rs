@@ -1,0 +1,26 @@
+//! Answers of the engine to the messages in the lines of the standard input, one line of JSON each:
+//! prints a hash (FNV-1a, 64 bits) of each answer.
+//!
+//! `viewer/test/bits.test.mjs` compares them with those of the WebAssembly module.
+
+use std::error::Error;
+use std::io::{BufRead as _, Write as _, stdin, stdout};
+
+use polhode_source::files::Memory;
+use polhode_web::Engine;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let (engine, files) = (Engine::default(), Memory::default());
+    let mut out = stdout().lock();
+    for line in stdin().lock().lines() {
+        let answer = engine.answer(line?.as_bytes(), &files, &|| true);
+        writeln!(out, "{:016x}", fnv(&answer))?;
+    }
+    Ok(())
+}
+
+fn fnv(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}

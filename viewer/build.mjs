@@ -1,7 +1,7 @@
 // Builds the pages. Without arguments: the replay that polhode writes, one HTML file with its style and script inside and a placeholder for the
 // data, and what notebooks have around it, in crates/polhode-scenario/assets/viewer.html and crates/polhode-py/python/polhode/; with --check it only
 // compares, and fails if those files are not this build.
-// With --module MODULE.wasm --page PAGE.html: the interactive page, one file with the engine, the script and the style inside.
+// With --module MODULE.wasm[.gz] --page PAGE.html: the interactive page, one file with the engine, the script and the style inside.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -81,17 +81,21 @@ async function replay() {
   };
 }
 
-/** The interactive page: its parts are gzip in base64, which `src/live/boot.ts` unpacks. */
+/** The interactive page: its parts are gzip in base 85, which `src/live/boot.ts` unpacks. */
 async function interactive() {
   const codemirror = version("@codemirror/view");
-  const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}">${gzipSync(bytes, { level: 9 }).toString("base64")}</script>`;
+  const { text85 } = await import(`data:text/javascript,${encodeURIComponent(await bundle("src/live/base85.ts", { format: "esm", target: "es2022" }))}`);
+  const packed = (id, bytes, isPacked = false) => {
+    const short = isPacked ? bytes : gzipSync(bytes, { level: 9 });
+    return `<script type="application/octet-stream" id="${id}" data-length="${short.length}">${text85(short)}</script>`;
+  };
   const parts = [
-    packed("polhode-module", readFileSync(given.module)),
+    packed("polhode-module", readFileSync(given.module), given.module.endsWith(".gz")),
     packed("polhode-worker", await bundle("src/live/worker.ts", { format: "iife", target: "es2022" })),
     packed("polhode-page", await script("src/live/main.ts", codemirror)),
     inside("script", await bundle("src/live/boot.ts", { format: "iife", target: "es2022" })),
   ];
-  const policy = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; connect-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";
+  const policy = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";
   let page = index.replace(/(<meta http-equiv="Content-Security-Policy" content=")[^"]*/, (_, start) => start + policy);
   page = put(page, "<!--banner-->", banner.replace("\nuPlot", `\nCodeMirror ${codemirror}, MIT licence, copyright 2018-2026 Marijn Haverbeke and others,\nuPlot`));
   page = put(page, "<!--style-->", `<link rel="icon" href="data:,">\n${inside("style", await style("src/live/live.css"))}`);

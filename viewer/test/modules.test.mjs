@@ -465,3 +465,31 @@ test("of many points those that are farthest in each direction are found, in any
     assert.deepEqual(some.points, found);
   }
 });
+
+test("base 85 gives back every length of bytes, and its text has no meaning in HTML", async () => {
+  const { DIGITS, bytesOf85, text85 } = await load("live/base85.ts");
+  assert.equal(new Set(DIGITS).size, 85);
+  for (const length of [0, 1, 2, 3, 4, 5, 1023]) {
+    const bytes = Uint8Array.from({ length }, (_, k) => (k * 151 + 255) % 256);
+    const text = text85(bytes);
+    assert.match(text, /^[^\s&'"/<>\\`]*$/);
+    assert.equal(text.length, 5 * Math.ceil(length / 4));
+    assert.deepEqual(bytesOf85(text, length), bytes);
+  }
+  // The largest word needs all digits: 85⁵ > 2³².
+  assert.deepEqual(bytesOf85(text85(Uint8Array.of(255, 255, 255, 255)), 4), Uint8Array.of(255, 255, 255, 255));
+  assert.throws(() => bytesOf85("#####", 9), /5 characters are not 9 bytes/);
+});
+
+test("an answer of the engine is JSON, or JSON and rows", async () => {
+  const { jsonAndRows } = await load("live/rows.ts");
+  const plain = new TextEncoder().encode('{"took": 2}').buffer;
+  assert.deepEqual(jsonAndRows(plain).json, { took: 2 });
+  const json = '{"row": {"f64": [1, 2]}}';
+  const bytes = new Uint8Array(8 + json.length + 24);
+  new DataView(bytes.buffer).setBigUint64(0, BigInt(json.length), true);
+  bytes.set(new TextEncoder().encode(json), 8);
+  bytes.set(new Uint8Array(Float64Array.of(7, 8.5, -9).buffer), 8 + json.length);
+  const { json: read, withRows } = jsonAndRows(bytes.buffer);
+  assert.deepEqual(withRows(read), { row: Float64Array.of(8.5, -9) });
+});

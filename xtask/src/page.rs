@@ -38,6 +38,7 @@ pub(crate) fn build(build: Build) -> Outcome {
     let module = folder.join("polhode.wasm");
     let built = folder.join(TARGET).join(profile).join("polhode_wasm.wasm");
     std::fs::copy(&built, &module).map_err(|error| format!("{}: {error}", built.display()))?;
+    let module = if build == Build::Release { packed(&module)? } else { module };
     let page = folder.join("polhode.html");
     run(Command::new("node")
         .args(["build.mjs", "--module"])
@@ -68,6 +69,19 @@ pub(crate) fn release() -> Outcome {
 /// Returns the folder of the module and the page.
 pub(crate) fn folder() -> PathBuf {
     root().join("target/page")
+}
+
+/// Compresses the module for a release, and returns its new path.
+fn packed(module: &Path) -> Result<PathBuf, String> {
+    let failed = |error| format!("{}: {error}", module.display());
+    let bytes = std::fs::read(module).map_err(failed)?;
+    let mut out = Vec::new();
+    zopfli::compress(zopfli::Options::default(), zopfli::Format::Gzip, bytes.as_slice(), &mut out)
+        .map_err(failed)?;
+    println!("   module: {} kB, {} kB compressed", bytes.len() / 1000, out.len() / 1000);
+    let packed = module.with_extension("wasm.gz");
+    std::fs::write(&packed, out).map_err(failed)?;
+    Ok(packed)
 }
 
 /// Checks the size of a release.

@@ -1,8 +1,8 @@
 /**
  * Start of the page: unpacks the script of the page, the worker's script and the module of the
- * engine, which the page contains as gzip in base64.
+ * engine, which the page contains as gzip in base 85.
  */
-import { bytesOf } from "../base64";
+import { bytesOf85 } from "./base85";
 
 export interface Embedded {
   module: Promise<WebAssembly.Module>;
@@ -11,7 +11,8 @@ export interface Embedded {
 }
 
 function unpacked(id: string): Response {
-  const bytes = bytesOf(document.getElementById(id)?.textContent ?? "");
+  const place = document.getElementById(id);
+  const bytes = bytesOf85(place?.textContent ?? "", Number(place?.dataset.length));
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")), { headers: { "Content-Type": "application/wasm" } });
 }
 

@@ -18,7 +18,7 @@ use crate::within::Within;
 /// Contents of the files of a session.
 #[derive(Debug, Default)]
 pub(crate) struct Gathered {
-    /// What the user named: absolute paths of files, and the lesson.
+    /// Named files, by absolute path, and the lesson.
     pub(crate) named: LiveOptions,
     /// Contents of all files, by absolute path.
     pub(crate) files: BTreeMap<PathBuf, Vec<u8>>,
@@ -60,7 +60,7 @@ fn open(options: &LiveOptions, files: &dyn Files) -> Result<(), LiveError> {
 
 impl Gathered {
     fn of(options: &LiveOptions, asked: &Asked) -> Result<Self, LiveError> {
-        let named = options.renamed(|path| place(path));
+        let named = options.renamed(place);
         let mut paths: BTreeMap<PathBuf, PathBuf> =
             asked.files().map(|path| (place(path), path.to_owned())).collect();
         // The page has no links: a file is at each path under which a reader may look for it.

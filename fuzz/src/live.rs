@@ -2,20 +2,27 @@
 
 use std::sync::OnceLock;
 
-use polhode_live::{Live, LiveOptions};
+use polhode_source::files::Memory;
+use polhode_web::Engine;
 
-/// Largest request body, bytes; a longer one would take too long.
+/// Largest request, bytes; a longer one would take too long.
 const LONGEST: usize = 4000;
 
-/// Checks that every request gets an answer or a client error (status 4xx), and the same one when
-/// repeated.
+/// Checks that every request gets an answer or a refusal, and the same one when repeated.
 pub fn live(data: &[u8]) {
-    static LIVE: OnceLock<Option<Live>> = OnceLock::new();
-    let live = LIVE.get_or_init(|| Live::bind(&LiveOptions::default()).ok());
-    let Some(live) = live.as_ref().filter(|_| data.len() <= LONGEST) else { return };
-    for path in ["motion", "complete", "open"] {
-        let status = live.status_of(path, data);
-        assert!(status == 200 || (400..500).contains(&status), "{path}: {status}");
-        assert_eq!(status, live.status_of(path, data), "{path}");
+    static ENGINE: OnceLock<(Engine, Memory)> = OnceLock::new();
+    let (engine, files) = ENGINE.get_or_init(|| {
+        let (engine, files) = (Engine::default(), Memory::default());
+        engine.open_example(&files);
+        (engine, files)
+    });
+    if data.len() > LONGEST {
+        return;
+    }
+    for name in ["motion", "complete", "open"] {
+        let request = [format!("{{\"{name}\":").as_bytes(), data, b"}"].concat();
+        let answer = engine.answer(&request, files, &|| true);
+        assert!(!answer.starts_with(b"{\"refusal\":{\"kind\":\"internal\""), "{name}");
+        assert_eq!(answer, engine.answer(&request, files, &|| true), "{name}");
     }
 }

@@ -10,7 +10,7 @@ use crate::process::{cargo, output};
 const MOST: [(&str, &[&str], usize); 3] = [
     ("polhode", &[], 10),
     ("polhode-cli", &["--no-default-features"], 82), // shapes and scenarios
-    ("polhode-cli", &[], 115), // with the server of `polhode live` and nalgebra for `polhode identify`
+    ("polhode-cli", &[], 101),                       // with nalgebra for `polhode identify`
 ];
 
 /// Checks the number of crates, and their licences on every platform, including tests and build

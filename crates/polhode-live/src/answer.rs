@@ -1,71 +1,77 @@
 //! Answers, with HTTP headers that isolate the page.
 
-use bytes::buf::Chain;
-use bytes::{Buf as _, Bytes};
-use http_body_util::Full;
-use hyper::header::{CONTENT_TYPE, HeaderValue};
-use hyper::{Response, StatusCode};
-use polhode_web::RefusalKind;
-use serde::Serialize;
-
-/// A complete answer. Rows of numbers are chained to the bytes before them, without a copy.
-pub(crate) type Answer = Response<Full<Chain<Bytes, Bytes>>>;
+use std::io::{self, Write};
+use std::sync::Arc;
 
 /// Refusal of a request, with its HTTP status.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Refusal {
-    pub(crate) status: StatusCode,
-    pub(crate) message: String,
-    pub(crate) hint: Option<String>,
+    pub(crate) status: u16,
+    pub(crate) message: &'static str,
 }
 
-impl Refusal {
-    pub(crate) fn new(status: StatusCode, message: impl Into<String>) -> Self {
-        Self { status, message: message.into(), hint: None }
+/// Refusal for a path that does not exist or may not be read. The answer does not say which.
+pub(crate) const NOT_FOUND: Refusal = Refusal {
+    status: 404,
+    message: "this address does not exist: open the address that polhode live printed",
+};
+
+/// Answer to a request.
+#[derive(Debug)]
+pub(crate) struct Answer {
+    status: u16,
+    kind: &'static str,
+    /// Content security policy. The page has one of its own; what a page cannot say is here.
+    policy: &'static str,
+    etag: Option<String>,
+    body: Arc<Vec<u8>>,
+}
+
+impl Answer {
+    pub(crate) fn page(html: Arc<Vec<u8>>) -> Self {
+        let policy = "frame-ancestors 'none'";
+        Self { status: 200, kind: "text/html; charset=utf-8", policy, etag: None, body: html }
     }
 
-    pub(crate) fn hint(self, hint: impl Into<String>) -> Self {
-        Self { hint: Some(hint.into()), ..self }
+    pub(crate) fn pack(bytes: Arc<Vec<u8>>, etag: String) -> Self {
+        Self { status: 200, kind: "application/octet-stream", policy: NOTHING, etag: Some(etag), body: bytes }
     }
 
-    /// Refusal for a path that does not exist or may not be read. The answer does not say which.
-    pub(crate) fn not_found() -> Self {
-        Self::new(StatusCode::NOT_FOUND, "this address does not exist")
-            .hint("open the address that polhode live printed")
+    /// Answer for a client that has this version already.
+    pub(crate) fn unchanged(etag: String) -> Self {
+        Self { status: 304, body: Arc::default(), ..Self::pack(Arc::default(), etag) }
+    }
+
+    /// Writes the answer, or only its head.
+    pub(crate) fn write(&self, is_head: bool, out: &mut impl Write) -> io::Result<()> {
+        let Self { status, kind, policy, etag, body } = self;
+        let mut head = format!("HTTP/1.1 {status} {}\r\nconnection: close\r\n", reason(*status));
+        let mut put = |name: &str, value: &str| head += &format!("{name}: {value}\r\n");
+        HEADERS.into_iter().for_each(|(name, value)| put(name, value));
+        put("content-security-policy", policy);
+        etag.iter().for_each(|etag| put("etag", etag));
+        if *status != 304 {
+            put("content-type", kind);
+            put("content-length", &body.len().to_string());
+        }
+        if *status == 405 {
+            put("allow", "GET, HEAD");
+        }
+        out.write_all((head + "\r\n").as_bytes())?;
+        if is_head { Ok(()) } else { out.write_all(body) }
     }
 }
 
-impl From<polhode_web::Refusal> for Refusal {
-    fn from(refusal: polhode_web::Refusal) -> Self {
-        let polhode_web::Refusal { kind, message, hint } = refusal;
-        let status = match kind {
-            RefusalKind::BadRequest => StatusCode::BAD_REQUEST,
-            RefusalKind::NotFound => StatusCode::NOT_FOUND,
-            RefusalKind::Unprocessable => StatusCode::UNPROCESSABLE_ENTITY,
-            RefusalKind::Full => return Self::new(StatusCode::INSUFFICIENT_STORAGE, message).hint(RESTART),
-            RefusalKind::Ended => StatusCode::REQUEST_TIMEOUT,
-            _ => StatusCode::INTERNAL_SERVER_ERROR,
-        };
-        Self { status, message, hint }
+impl From<Refusal> for Answer {
+    fn from(Refusal { status, message }: Refusal) -> Self {
+        let body = Arc::new(format!("{message}\n").into_bytes());
+        Self { status, kind: "text/plain; charset=utf-8", policy: NOTHING, etag: None, body }
     }
 }
 
-/// Hint for a session that is full.
-pub(crate) const RESTART: &str = "stop polhode live and start it again";
+const NOTHING: &str = "default-src 'none'; frame-ancestors 'none'";
 
-/// Body of a refusal.
-#[derive(Serialize)]
-struct RefusalBody {
-    message: String,
-    hint: Option<String>,
-}
-
-/// Content security policy: the page may load and request only resources of this server.
-const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src data:; \
-                      connect-src 'self'; worker-src blob:; media-src blob:; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
-
-const HEADERS: [(&str, &str); 8] = [
-    ("content-security-policy", POLICY),
+const HEADERS: [(&str, &str); 7] = [
     ("x-content-type-options", "nosniff"),
     ("x-frame-options", "DENY"),
     ("referrer-policy", "no-referrer"),
@@ -75,32 +81,15 @@ const HEADERS: [(&str, &str); 8] = [
     ("cache-control", "no-store"),
 ];
 
-pub(crate) fn bytes(status: StatusCode, kind: &'static str, body: impl Into<Bytes>) -> Answer {
-    parts(status, kind, body.into(), Bytes::new())
-}
-
-fn parts(status: StatusCode, kind: &'static str, head: Bytes, rows: Bytes) -> Answer {
-    let mut answer = Response::new(Full::new(head.chain(rows)));
-    *answer.status_mut() = status;
-    let headers = answer.headers_mut();
-    headers.insert(CONTENT_TYPE, HeaderValue::from_static(kind));
-    for (name, value) in HEADERS {
-        headers.insert(name, HeaderValue::from_static(value));
+const fn reason(status: u16) -> &'static str {
+    match status {
+        200 => "OK",
+        304 => "Not Modified",
+        403 => "Forbidden",
+        404 => "Not Found",
+        405 => "Method Not Allowed",
+        413 => "Content Too Large",
+        431 => "Request Header Fields Too Large",
+        _ => "Bad Request",
     }
-    answer
-}
-
-pub(crate) fn json(value: &impl Serialize) -> Result<Answer, Refusal> {
-    Ok(bytes(StatusCode::OK, "application/json", polhode_web::json(value)?))
-}
-
-/// Encodes JSON followed by rows of numbers, as [`polhode_web::json_before_rows`] describes.
-pub(crate) fn json_and_rows(value: &impl Serialize, rows: Bytes) -> Result<Answer, Refusal> {
-    let head = polhode_web::json_before_rows(value)?;
-    Ok(parts(StatusCode::OK, "application/octet-stream", head.into(), rows))
-}
-
-pub(crate) fn refusal(Refusal { status, message, hint }: Refusal) -> Answer {
-    let body = serde_json::to_vec(&RefusalBody { message, hint }).unwrap_or_default();
-    bytes(status, "application/json", body)
 }

@@ -4,14 +4,18 @@ use std::error::Error;
 use std::fmt;
 use std::io;
 use std::net::SocketAddr;
+use std::path::Path;
 
-use polhode_web::LessonError;
+use polhode_source::shown;
+use polhode_web::{LessonError, Refusal};
+
+use crate::limits;
 
 /// Error of the server of the page.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum LiveError {
-    /// A file cannot be shown.
+    /// A file cannot be shown, or there are too many.
     File {
         /// Name of the file and reason.
         message: String,
@@ -27,21 +31,27 @@ pub enum LiveError {
         /// Error of the system.
         error: io::Error,
     },
-    /// The folder for dropped files cannot be made.
-    Folder {
-        /// Error of the system.
-        error: io::Error,
-    },
     /// The system provides no random numbers for the token.
     Random,
-    /// The server cannot start.
-    Start {
-        /// Error of the system.
-        error: io::Error,
-    },
 }
 
 impl LiveError {
+    pub(crate) fn unreadable(path: &Path, why: &str) -> Self {
+        Self::File { message: format!("{} cannot be read: {why}", shown(path)), hint: None }
+    }
+
+    pub(crate) fn too_large(path: &Path) -> Self {
+        Self::limit(path, &format!("a file has at most {} MiB", limits::FILE >> 20))
+    }
+
+    pub(crate) fn limit(path: &Path, rule: &str) -> Self {
+        Self::File { message: format!("{} exceeds a limit: {rule}", shown(path)), hint: None }
+    }
+
+    pub(crate) fn refused(Refusal { message, hint, .. }: Refusal) -> Self {
+        Self::File { message, hint }
+    }
+
     /// Returns advice for a fix, if there is any.
     pub fn hint(&self) -> Option<&str> {
         match self {
@@ -52,7 +62,6 @@ impl LiveError {
             Self::Address { error, .. } if error.kind() == io::ErrorKind::PermissionDenied => {
                 Some("ports below 1024 need administrator rights: omit --port to use a free one")
             }
-            Self::Folder { .. } => Some("set TMPDIR to a writable folder for temporary files"),
             _ => None,
         }
     }
@@ -64,9 +73,7 @@ impl fmt::Display for LiveError {
             Self::File { message, .. } => f.write_str(message),
             Self::Lesson(error) => error.fmt(f),
             Self::Address { address, error } => write!(f, "cannot listen on {address}: {error}"),
-            Self::Folder { error } => write!(f, "cannot create a folder for dropped files: {error}"),
             Self::Random => f.write_str("the system provides no random numbers for the token"),
-            Self::Start { error } => write!(f, "cannot start the server: {error}"),
         }
     }
 }

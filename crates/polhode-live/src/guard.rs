@@ -1,9 +1,7 @@
 //! Access control: a request needs the token, and must come from this machine's own page.
 
-use hyper::header::{HOST, HeaderMap, ORIGIN};
-use hyper::{Method, StatusCode, Uri, Version};
-
-use crate::answer::Refusal;
+use crate::answer::{NOT_FOUND, Refusal};
+use crate::head::Head;
 
 /// Conditions that every request must meet.
 #[derive(Debug)]
@@ -26,47 +24,26 @@ impl Guard {
     }
 
     /// Returns the path after the token, if the request is admitted.
-    pub(crate) fn admit<'u>(
-        &self,
-        method: &Method,
-        uri: &'u Uri,
-        version: Version,
-        headers: &HeaderMap,
-    ) -> Result<&'u str, Refusal> {
-        let refused = |what: &str| {
-            Refusal::new(StatusCode::FORBIDDEN, format!("{what} of the request is not that of this page"))
-        };
-        if version > Version::HTTP_11 || uri.scheme().is_some() || uri.authority().is_some() {
-            return Err(Refusal::new(
-                StatusCode::BAD_REQUEST,
-                "the request is not an HTTP/1.1 request for a page",
-            ));
-        }
+    pub(crate) fn admit<'h>(&self, head: &'h Head) -> Result<&'h str, Refusal> {
+        let refused = |message| Refusal { status: 403, message };
         // A foreign name that DNS resolves to this address is refused (DNS rebinding).
-        let mut hosts = headers.get_all(HOST).iter();
-        let host = hosts.next().and_then(|host| host.to_str().ok()).ok_or_else(|| refused("the host"))?;
-        if hosts.next().is_some() || !self.is_own(host) {
-            return Err(refused("the host"));
-        }
-        for origin in headers.get_all(ORIGIN) {
-            let own = origin.to_str().ok().and_then(|origin| origin.strip_prefix("http://"));
-            if !own.is_some_and(|origin| self.is_own(origin) && origin == host) {
-                return Err(refused("the origin"));
-            }
+        let mut hosts = head.all("host");
+        let host = hosts.next().filter(|host| self.is_own(host) && hosts.next().is_none());
+        let host = host.ok_or(refused("the host of the request is not that of this page"))?;
+        let is_own_origin = |origin: &str| origin.strip_prefix("http://") == Some(host);
+        if !head.all("origin").all(is_own_origin) {
+            return Err(refused("the origin of the request is not that of this page"));
         }
         // Browsers set this header, and pages cannot change it.
-        for site in headers.get_all("sec-fetch-site") {
-            if !matches!(site.to_str(), Ok("same-origin" | "none")) {
-                return Err(refused("the site"));
-            }
+        if !head.all("sec-fetch-site").all(|site| matches!(site, "same-origin" | "none")) {
+            return Err(refused("the site of the request is not that of this page"));
         }
-        if !matches!(*method, Method::GET | Method::POST) {
-            return Err(Refusal::new(StatusCode::METHOD_NOT_ALLOWED, "only GET and POST are allowed"));
+        if !matches!(head.method.as_str(), "GET" | "HEAD") {
+            return Err(Refusal { status: 405, message: "only GET and HEAD are allowed" });
         }
-        let path = uri.path().strip_prefix('/').unwrap_or_default();
-        match path.split_once('/') {
+        match head.target.strip_prefix('/').and_then(|path| path.split_once('/')) {
             Some((token, rest)) if is_same(token.as_bytes(), self.token.as_bytes()) => Ok(rest),
-            _ => Err(Refusal::not_found()),
+            _ => Err(NOT_FOUND),
         }
     }
 
@@ -86,29 +63,26 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
 
     use super::*;
+    use crate::head::tests::head;
 
-    fn admitted(guard: &Guard, path: &str, headers: &[(&'static str, &str)]) -> Result<String, StatusCode> {
-        let mut map = HeaderMap::new();
-        for (name, value) in headers {
-            map.append(*name, value.parse().unwrap());
-        }
-        let uri: Uri = path.parse().unwrap();
-        let rest = guard.admit(&Method::GET, &uri, Version::HTTP_11, &map);
-        rest.map(str::to_owned).map_err(|refusal| refusal.status)
+    fn admitted(guard: &Guard, path: &str, headers: &[(&'static str, &str)]) -> Result<String, u16> {
+        let lines = headers.iter().map(|(name, value)| format!("\r\n{name}: {value}"));
+        let head = head(&format!("GET {path} HTTP/1.1{}", lines.collect::<String>()));
+        guard.admit(&head).map(str::to_owned).map_err(|refusal| refusal.status)
     }
 
     #[test]
     fn only_this_page_with_its_token_is_admitted() {
         let guard = Guard::new(4000).unwrap();
-        let own = format!("/{}/motion", guard.token);
+        let own = format!("/{}/files", guard.token);
         let host = ("host", "127.0.0.1:4000");
-        assert_eq!(admitted(&guard, &own, &[host]), Ok("motion".to_owned()));
+        assert_eq!(admitted(&guard, &own, &[host]), Ok("files".to_owned()));
         let with_origin = [
             ("host", "localhost:4000"),
             ("origin", "http://localhost:4000"),
             ("sec-fetch-site", "same-origin"),
         ];
-        assert_eq!(admitted(&guard, &own, &with_origin), Ok("motion".to_owned()));
+        assert_eq!(admitted(&guard, &own, &with_origin), Ok("files".to_owned()));
         for others in [
             vec![],
             vec![("host", "evil.example:4000")],
@@ -124,14 +98,14 @@ mod tests {
             vec![host, ("sec-fetch-site", "cross-site")],
             vec![host, ("sec-fetch-site", "same-site")],
         ] {
-            assert_eq!(admitted(&guard, &own, &others), Err(StatusCode::FORBIDDEN), "{others:?}");
+            assert_eq!(admitted(&guard, &own, &others), Err(403), "{others:?}");
         }
         let mut wrong = guard.token.clone();
         wrong.replace_range(31.., if wrong.ends_with('0') { "1" } else { "0" });
         for path in
             [format!("/{wrong}/"), format!("/{}", guard.token), "/".to_owned(), format!("//{}/", guard.token)]
         {
-            assert_eq!(admitted(&guard, &path, &[host]), Err(StatusCode::NOT_FOUND), "{path}");
+            assert_eq!(admitted(&guard, &path, &[host]), Err(404), "{path}");
         }
         assert_ne!(Guard::new(4000).unwrap().token, guard.token);
     }

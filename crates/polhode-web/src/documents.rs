@@ -206,6 +206,17 @@ impl Document {
         }
     }
 
+    /// Opens the files that a scenario or a robot names; those of a mesh were opened with it.
+    pub(crate) fn open_named(&self, files: &dyn Files, watch: &dyn Watch) {
+        let content = self.content(files, watch);
+        if let (Content::Scenario { draft, .. }, Ok(DocumentContent::Scenario { text })) =
+            (&self.content, content)
+        {
+            let mut draft = draft.lock().unwrap_or_else(PoisonError::into_inner);
+            let _ = draft.read_watched(files, text, &|| watch.goes_on());
+        }
+    }
+
     pub(crate) fn info(&self, files: &dyn Files) -> DocumentInfo {
         let kind = match self.content {
             Content::Scenario { .. } => "scenario",

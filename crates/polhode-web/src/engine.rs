@@ -133,6 +133,18 @@ impl Engine {
         self.documents.get(id)?.content(files, watch)
     }
 
+    /// Opens every file that a document names, as its motion or its inspection does.
+    ///
+    /// A caller learns from its [`Files`] which files these are. Errors of their contents are
+    /// ignored: [`Engine::motion`] and [`Engine::document`] report them.
+    ///
+    /// # Errors
+    /// [`Refusal`] if the document is unknown.
+    pub fn open_named(&self, id: u32, files: &dyn Files, watch: &dyn Watch) -> Result<(), Refusal> {
+        self.documents.get(id)?.open_named(files, watch);
+        Ok(())
+    }
+
     /// Returns the inspection of a mesh, also of a closed one that is a scenario's body.
     ///
     /// # Errors

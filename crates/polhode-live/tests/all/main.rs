@@ -3,12 +3,9 @@
 
 mod client;
 mod crowded;
-mod ground_lessons;
 mod hostile;
-mod inspect;
-mod known;
-mod lesson_files;
-mod lessons;
-mod robot_shapes;
-mod robots;
-mod stopped;
+mod limits;
+mod models;
+mod output;
+mod served;
+mod watched;

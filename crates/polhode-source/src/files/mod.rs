@@ -4,6 +4,7 @@ mod confined;
 mod disk;
 mod listed;
 mod memory;
+mod recorded;
 
 use std::fmt;
 use std::io::{self, Read, Seek};
@@ -14,6 +15,7 @@ pub use confined::{Confined, NotOpened, is_path_of};
 pub use disk::Disk;
 pub use listed::Listed;
 pub use memory::Memory;
+pub use recorded::{Asked, Recorded};
 
 /// Source of all files that a reader opens.
 ///
@@ -111,7 +113,7 @@ impl Look {
 }
 
 /// Returns the path with `.` and `..` resolved lexically, without access to the file system.
-pub(crate) fn lexical(path: &Path) -> PathBuf {
+pub fn lexical(path: &Path) -> PathBuf {
     use std::path::Component;
     let mut plain = PathBuf::new();
     for component in path.components() {

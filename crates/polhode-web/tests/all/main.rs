@@ -1,10 +1,20 @@
 //! Integration tests of `polhode-web`, combined in one program, because each program links the
-//! whole library. All files are in memory.
+//! whole library.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may")]
 
+mod ground_lessons;
+mod hostile;
 mod inspect;
+mod known;
 mod lesson;
+mod lesson_files;
+mod lessons;
+mod meshes;
 mod motion;
+mod page;
 mod refused;
+mod robot_shapes;
+mod robots;
 mod session;
+mod stopped;
 mod text;

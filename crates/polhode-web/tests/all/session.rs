@@ -14,7 +14,7 @@ pub(crate) struct Session {
 /// Answer of the engine: JSON, and the rows that follow it.
 pub(crate) struct Answer {
     pub(crate) json: Value,
-    rows: Vec<u8>,
+    pub(crate) rows: Vec<u8>,
 }
 
 impl Session {
@@ -47,7 +47,7 @@ pub(crate) fn motion(text: &str, edits: &Value) -> Value {
 }
 
 impl Answer {
-    fn parse(bytes: &[u8]) -> Self {
+    pub(crate) fn parse(bytes: &[u8]) -> Self {
         if bytes[0] == b'{' {
             return Self { json: serde_json::from_slice(bytes).unwrap(), rows: Vec::new() };
         }

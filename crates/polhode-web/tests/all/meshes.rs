@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
+use polhode_web::RefusalKind;
 use serde_json::Value;
 
-use crate::client::{Folder, Page, f32s, repository, u32s};
+use crate::page::{Folder, Page, f32s, repository, u32s};
 
 pub(crate) type Point = [f32; 3];
 
@@ -255,9 +256,9 @@ fn what_has_no_triangles_or_no_numbers_is_refused_and_what_f32_does_not_hold_is_
         ("bad.gltf", b"{\"asset\":{\"version\":\"2.0\"},\"meshes\":7}".to_vec()),
         ("bad.3mf", b"PK\x03\x04".to_vec()),
     ] {
-        assert_eq!(page.drop_file(1, name, &bytes).status, 200);
-        let opened = page.open_dropped(1, name);
-        assert_eq!(opened.status, 422, "{name}: {}", opened.text());
+        page.drop_file(1, name, &bytes);
+        let refused = page.open_dropped(1, name, &|| true).unwrap_err();
+        assert_eq!(refused.kind, RefusalKind::Unprocessable, "{name}: {}", refused.message);
     }
     let far = "v 0 0 0\nv 1e200 0 0\nv 0 1e200 0\nf 1 2 3\n";
     let mesh = &page.dropped(2, "far.obj", far.as_bytes())["mesh"];
@@ -271,7 +272,7 @@ fn a_file_that_the_user_names_is_inspected_as_it_is_now() {
     let whole = cuboid([0.0, 0.1, 0.2], [1.0, 1.2, 1.3]);
     let path = folder.file("a.stl", &stl(&whole[1..]));
     let page = Page::open(std::slice::from_ref(&path));
-    let stamp = || page.get("documents").json()["documents"][0]["stamp"].clone();
+    let stamp = || page.documents()[0]["stamp"].clone();
     let before = stamp();
     assert_eq!(points(&finding(&page.document(&0.into())["mesh"], "mesh.open")["edges"]).len(), 6);
     folder.file("a.stl", &stl(&whole[2..]));
@@ -292,20 +293,20 @@ fn a_mesh_that_turns_is_looked_at_too() {
         whole[k].swap(1, 2);
     }
     let page = Page::open(&[folder.file("turned.stl", &stl(&whole)), repository("examples/t-handle.toml")]);
-    let documents = &page.get("documents").json()["documents"];
+    let documents = page.documents();
     assert_eq!(
         [&documents[0]["kind"], &documents[0]["mesh"]],
         [&Value::from("scenario"), &Value::from(true)]
     );
     assert_eq!(documents[1]["mesh"], false);
-    let answer = page.get("mesh/0").json();
-    let mesh = &answer["mesh"];
-    assert_eq!(set(faces(finding(mesh, "mesh.flipped"))), set(turned));
-    assert_eq!((u32s(&mesh["triangles"]).len(), &mesh["of"]), (36, &12.into()));
-    assert!(mesh["findings"].as_array().unwrap().iter().all(|finding| finding["severity"] != "error"));
+    let mesh = |id: u32| page.ask(&serde_json::json!({ "mesh": { "id": id } }));
+    let answer = mesh(0);
+    let inspected = &answer["mesh"];
+    assert_eq!(set(faces(finding(inspected, "mesh.flipped"))), set(turned));
+    assert_eq!((u32s(&inspected["triangles"]).len(), &inspected["of"]), (36, &12.into()));
+    assert!(inspected["findings"].as_array().unwrap().iter().all(|finding| finding["severity"] != "error"));
     // A scenario is not served as a mesh.
-    assert_eq!(page.get("mesh/1").status, 404);
-    assert_eq!(page.get("mesh/2").status, 404);
+    assert_eq!([1, 2].map(|id| mesh(id)["refusal"]["kind"].clone()), ["not_found"; 2]);
 }
 
 #[test]
@@ -327,10 +328,7 @@ fn what_was_not_written_to_is_looked_at_once() {
     assert_eq!(points(&finding(&page.document(&0.into())["mesh"], "mesh.open")["edges"]).len(), 6);
     let motion = || {
         let text = page.document(&1.into())["text"].clone();
-        let request = serde_json::json!({
-            "document": 1, "text": text, "edits": [], "error": false, "working": false, "body": null,
-        });
-        page.post("motion", request.to_string().as_bytes()).json()
+        page.motion(1, text.as_str().unwrap())
     };
     assert_eq!(motion()["errors"], serde_json::json!([]));
     std::fs::write(&sound, "solid nothing").unwrap();
@@ -355,8 +353,8 @@ fn a_dropped_mesh_reads_no_file_outside_its_set() {
         })
         .to_string()
     };
-    assert_eq!(page.drop_file(1, "own.bin", &bytes).status, 200);
-    assert_eq!(page.drop_file(2, "other.bin", &bytes).status, 200);
+    page.drop_file(1, "own.bin", &bytes);
+    page.drop_file(2, "other.bin", &bytes);
     assert_eq!(page.dropped(1, "own.gltf", gltf("own.bin").as_bytes())["kind"], "mesh");
     let absolute = secret.to_string_lossy().into_owned();
     let up = format!("../../..{absolute}");
@@ -368,8 +366,8 @@ fn a_dropped_mesh_reads_no_file_outside_its_set() {
         "../2/other.bin".to_owned(),
         "..\\2\\other.bin".to_owned(),
     ] {
-        assert_eq!(page.drop_file(1, "bad.gltf", gltf(&uri).as_bytes()).status, 200);
-        let opened = page.open_dropped(1, "bad.gltf");
-        assert_eq!(opened.status, 422, "{uri}: {}", opened.text());
+        page.drop_file(1, "bad.gltf", gltf(&uri).as_bytes());
+        let refused = page.open_dropped(1, "bad.gltf", &|| true).unwrap_err();
+        assert_eq!(refused.kind, RefusalKind::Unprocessable, "{uri}: {}", refused.message);
     }
 }

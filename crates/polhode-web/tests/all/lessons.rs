@@ -1,50 +1,31 @@
 //! Statements of the lessons, compared with their computed scenarios.
 
-#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
-
 use std::f64::consts::{PI, TAU};
-use std::io::{Read as _, Write as _};
-use std::net::TcpStream;
 use std::path::Path;
 
 use polhode::body::PrincipalFrame;
 use polhode::math::{Body, Direction, Position, Space};
 use polhode::motion::{Sample, Scenario};
 use polhode::observe::{AxisConvention, RotationalConstants, TumblingPeriods};
-use polhode_live::{Live, LiveOptions, lessons};
 use polhode_scenario::read as scenario;
+use polhode_source::files::Memory;
+use polhode_web::{Engine, lessons};
 use serde_json::Value;
 
-/// Lesson as served.
+/// Lesson as the engine answers it.
 pub(crate) struct Lesson(Value);
 
 impl Lesson {
     pub(crate) fn open(id: &str) -> Self {
-        let live =
-            Live::bind(&LiveOptions { lesson: Some(id.to_owned()), ..LiveOptions::default() }).unwrap();
-        let address = live.address();
-        // This thread ends with the tests.
-        std::thread::spawn(|| live.run());
-        let (base, lesson) = address.split_once("#lesson=").unwrap();
-        assert_eq!(lesson, id);
-        Self(get(base, &format!("lesson/{id}")))
+        let engine = Engine::beginning_with_lesson(id, &Memory::default(), &|| true).unwrap();
+        assert_eq!(engine.first_lesson(), Some(id));
+        let lesson = engine.lesson(id, &Memory::default(), &|| true).unwrap();
+        Self(serde_json::to_value(lesson).unwrap())
     }
 
     pub(crate) fn step(&self, k: usize) -> Step<'_> {
         Step(&self.0["steps"][k - 1])
     }
-}
-
-/// Returns the server's answer to a GET request.
-pub(crate) fn get(base: &str, path: &str) -> Value {
-    let (host, token) = base.strip_prefix("http://").unwrap().split_once('/').unwrap();
-    let mut stream = TcpStream::connect(host).unwrap();
-    write!(stream, "GET /{token}{path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").unwrap();
-    let mut answer = String::new();
-    stream.read_to_string(&mut answer).unwrap();
-    let (head, body) = answer.split_once("\r\n\r\n").unwrap();
-    assert!(head.starts_with("HTTP/1.1 200"), "{head}\n{body}");
-    serde_json::from_str(body).unwrap()
 }
 
 pub(crate) struct Step<'a>(&'a Value);

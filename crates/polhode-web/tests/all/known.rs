@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::client::{Folder, Page, f64s};
+use crate::page::{Folder, Page, f64s};
 
 const AT_REST: &str = "\
 [[body.part]]
@@ -24,7 +24,7 @@ fn motion(page: &Page, omega: [f64; 3], known: Option<&str>) -> Value {
     let request = json!({
         "document": 0, "text": AT_REST, "edits": edits, "error": false, "working": false, "body": known,
     });
-    let answer = page.post("motion", request.to_string().as_bytes()).json();
+    let answer = page.ask(&json!({ "motion": request }));
     assert_eq!(answer["errors"], json!([]));
     answer["motion"].clone()
 }

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::client::{Page, f32s, u32s};
+use crate::page::{Page, f32s, u32s};
 
 type Point = [f64; 3];
 
@@ -173,7 +173,7 @@ fn shapes<'a>(robot: &'a Value, name: &str) -> &'a Vec<Value> {
 fn visuals_are_at_their_places_in_each_language_and_collisions_where_there_are_none() {
     let page = Page::open(&[]);
     for (set, name, text) in [(1, "r.urdf", urdf()), (2, "r.sdf", sdf()), (3, "r.xml", mjcf())] {
-        assert_eq!(page.drop_file(set, "part.ply", ply(&SURFACE).as_bytes()).status, 200);
+        page.drop_file(set, "part.ply", ply(&SURFACE).as_bytes());
         let robot = page.dropped(set, name, text.as_bytes())["robot"].clone();
         let arm = shapes(&robot, "arm");
         let kinds: Vec<_> = arm.iter().map(|shape| shape["kind"].as_str().unwrap()).collect();
@@ -219,7 +219,7 @@ fn collada_is_shown_in_metres() {
         <instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>\
         <scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
     let page = Page::open(&[]);
-    assert_eq!(page.drop_file(1, "meshes/flat.dae", dae.as_bytes()).status, 200);
+    page.drop_file(1, "meshes/flat.dae", dae.as_bytes());
     let text = "<robot name=\"r\"><link name=\"a\"><visual><geometry><mesh filename=\"meshes/flat.dae\"/></geometry></visual></link></robot>";
     let robot = page.dropped(1, "r.urdf", text.as_bytes())["robot"].clone();
     let found = triangles(&shapes(&robot, "a")[0]);
@@ -243,8 +243,8 @@ fn many_triangles_are_made_coarser_together() {
         })
         .collect();
     let page = Page::open(&[]);
-    assert_eq!(page.drop_file(1, "sheet.ply", ply(&sheet).as_bytes()).status, 200);
-    assert_eq!(page.drop_file(1, "part.ply", ply(&SURFACE).as_bytes()).status, 200);
+    page.drop_file(1, "sheet.ply", ply(&sheet).as_bytes());
+    page.drop_file(1, "part.ply", ply(&SURFACE).as_bytes());
     let visual = |file: &str| format!("<visual><geometry><mesh filename=\"{file}\"/></geometry></visual>");
     let link = |name: &str| {
         format!("<link name=\"{name}\">{}{}</link>", visual("sheet.ply"), visual("part.ply").repeat(2))
@@ -262,8 +262,8 @@ fn many_triangles_are_made_coarser_together() {
 fn what_is_not_shown_is_said_once() {
     let page = Page::open(&[]);
     let flat = ply(&SURFACE);
-    assert_eq!(page.drop_file(1, "part.ply", flat.as_bytes()).status, 200);
-    assert_eq!(page.drop_file(1, "broken.ply", &flat.as_bytes()[..flat.len() - 9]).status, 200);
+    page.drop_file(1, "part.ply", flat.as_bytes());
+    page.drop_file(1, "broken.ply", &flat.as_bytes()[..flat.len() - 9]);
     let links = [
         ("gone", "<mesh filename=\"gone.stl\"/>"),
         ("broken", "<mesh filename=\"broken.ply\"/>"),

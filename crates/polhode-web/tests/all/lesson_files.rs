@@ -1,13 +1,11 @@
 //! Lesson files of teachers: how they are served, and which errors are reported.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use polhode_live::{LessonError, Live, LiveError, LiveOptions, lessons};
-
-use crate::lessons::get;
+use polhode_source::files::Disk;
+use polhode_web::{Engine, LessonError, lessons};
+use serde_json::{Value, json};
 
 /// Writes a lesson, as a teacher would, into a folder of its own.
 fn written(name: &str, lesson: &str, beside: &[(&str, &str)]) -> PathBuf {
@@ -21,12 +19,8 @@ fn written(name: &str, lesson: &str, beside: &[(&str, &str)]) -> PathBuf {
     path
 }
 
-fn bound(path: &Path) -> Result<Live, LessonError> {
-    let lesson = Some(path.to_str().unwrap().to_owned());
-    Live::bind(&LiveOptions { lesson, ..LiveOptions::default() }).map_err(|error| match error {
-        LiveError::Lesson(error) => error,
-        other => panic!("{other}"),
-    })
+fn bound(path: &Path) -> Result<Engine, LessonError> {
+    Engine::beginning_with_lesson(path.to_str().unwrap(), &Disk, &|| true)
 }
 
 const BALL: &str = "[[body.part]]\nshape = \"sphere\"\nradius = \"20 mm\"\nmass = \"1 kg\"\n";
@@ -45,24 +39,24 @@ question = { text = \"Does it turn?\", answers = [\"No\", \"Yes\"], right = 2, w
 
 #[test]
 fn a_teachers_own_lesson_is_listed_first_and_served() {
-    let live = bound(&written("good", GOOD, &[("ball.toml", BALL)])).unwrap();
-    let address = live.address();
-    std::thread::spawn(|| live.run());
-    let (base, lesson) = address.split_once("#lesson=").unwrap();
-    assert_eq!(lesson, "own%20lesson.toml");
-    let list = get(base, "lessons");
+    let engine = bound(&written("good", GOOD, &[("ball.toml", BALL)])).unwrap();
+    assert_eq!(engine.first_lesson(), Some("own lesson.toml"));
+    let ask = |message: Value| -> Value {
+        serde_json::from_slice(&engine.answer(message.to_string().as_bytes(), &Disk, &|| true)).unwrap()
+    };
+    let list = ask(json!("lessons"));
     assert_eq!(list["lessons"][0]["id"], "own lesson.toml");
     assert_eq!(list["lessons"].as_array().unwrap().len(), 1 + lessons().count());
-    let lesson = get(base, "lesson/own%20lesson.toml");
+    let lesson = ask(json!({ "lesson": { "id": "own lesson.toml" } }));
     let step = &lesson["steps"][0];
     assert_eq!(step["question"]["right"], 1);
     assert_eq!(step["scenario"], BALL.replace("1 kg", "2 kg"));
-    let documents = get(base, "documents");
+    let documents = ask(json!("documents"));
     assert_eq!(documents["first"], lesson["document"]);
     // Another lesson is a new document; opened again, it is not.
-    get(base, "lesson/cube");
-    get(base, "lesson/cube");
-    assert_eq!(get(base, "documents")["documents"].as_array().unwrap().len(), 2);
+    let twice = [(); 2].map(|()| ask(json!({ "lesson": { "id": "cube" } })));
+    assert_eq!(twice[0], twice[1]);
+    assert_eq!(ask(json!("documents"))["documents"].as_array().unwrap().len(), 2);
 }
 
 #[test]

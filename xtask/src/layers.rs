@@ -62,6 +62,7 @@ const FORBIDDEN: [(&str, &[&str], &str); 13] = [
     ("crates/polhode-budget/src/", &OUTSIDE, FILES),
     ("crates/polhode-robot/src/", &OUTSIDE, FILES),
     ("crates/polhode-web/src/", &OUTSIDE, FILES),
+    ("crates/polhode-wasm/src/", &OUTSIDE, FILES),
 ];
 
 /// Words for files, clock and terminal, which only the command, its server and Python use.

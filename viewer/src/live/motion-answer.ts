@@ -1,4 +1,4 @@
-/** The answer to `POST motion`. */
+/** The answer to a request for a motion. */
 import type { MotionAnswer } from "./protocol";
 import { jsonAndRows } from "./rows";
 

@@ -1,22 +1,19 @@
 /**
- * Protocol of the live page: the contract between the page and `polhode-live`.
+ * Protocol of the interactive page: the contract between the page and `polhode_web::Engine`.
  *
- * Paths are relative to the page's own, which contains the session's token. Bodies are JSON except
- * where noted. An answer that is not 200 is a `Refusal`. Offsets in a text count UTF-16 units, as
- * in JavaScript strings.
+ * Requests and answers are JSON except where noted; a request is written here as
+ * `{"motion": MotionRequest}`. Each may be answered by `{"refusal": Refusal}`. Offsets in a text
+ * count UTF-16 units, as in JavaScript strings.
  */
 import type { PageData, Shape } from "../data";
 
-/** An answer that is not 200. */
+/** Reason why there is no answer. */
 export interface Refusal {
   message: string;
   hint: string | null;
 }
 
-/**
- * `GET documents`: documents in the order in which they were opened or dropped. The page polls
- * twice a second, because files may change.
- */
+/** `"documents"`: documents in the order in which they were opened or dropped. */
 export interface Documents {
   documents: DocumentInfo[];
   /** Document to begin with; null if the reader must choose a lesson. */
@@ -28,27 +25,27 @@ export interface DocumentInfo {
   /** Name, such as "t-handle.toml". */
   name: string;
   kind: "scenario" | "mesh" | "robot";
-  /** True if the file is a single mesh: `GET mesh/ID` shows it, whether it is closed or not. */
+  /** True if the file is a single mesh: `{"mesh": {"id"}}` shows it, whether it is closed or not. */
   mesh: boolean;
   /** Changes when the file changes. */
   stamp: string;
 }
 
-/** `GET document/ID`: current text of a scenario, or the inspection of a mesh or a robot. */
+/** `{"document": {"id"}}`: current text of a scenario, or the inspection of a mesh or a robot. */
 export type DocumentContent =
   | { kind: "scenario"; text: string }
   | { kind: "mesh"; mesh: MeshInspection }
   | { kind: "robot"; robot: RobotInspection };
 
 /**
- * `GET mesh/ID`: inspection of a mesh, also of a closed one with a motion. For a mesh, here and in
- * `GET document/ID`, the answer is JSON followed by rows, like that of `POST motion`:
+ * `{"mesh": {"id"}}`: inspection of a mesh, also of a closed one with a motion. For a mesh, here
+ * and in `{"document": {"id"}}`, the answer is JSON followed by rows, like that of a motion:
  * `{"f32": [at, count]}` and `{"u32": [at, count]}`, counted in numbers.
  */
 export type MeshContent = Extract<DocumentContent, { kind: "mesh" }>;
 
 /**
- * `POST motion`: changes a scenario and computes its motion.
+ * `{"motion": MotionRequest}`: changes a scenario and computes its motion.
  *
  * The answer is JSON followed by rows of f64: the length of the JSON as a u64, the JSON, and the
  * numbers, all little-endian. For each row in `page.motion` and `page.free`, the JSON has
@@ -147,7 +144,7 @@ export interface Switch {
   on: boolean;
 }
 
-/** `POST complete`: completions at a place of the text. */
+/** `{"complete": CompleteRequest}`: completions at a place of the text. */
 export interface CompleteRequest {
   document: number;
   text: string;
@@ -160,19 +157,6 @@ export interface CompleteAnswer {
   to: number;
   options: { label: string; detail: string }[];
 }
-
-/**
- * `POST drop?name=part.stl&set=7`: bytes of a file as the body. Files of the same set, a number
- * that the page chooses, are in one folder, so that a model finds its meshes. `POST open` follows.
- */
-export interface OpenRequest {
-  set: number;
-  /** Name of a file of the set. */
-  name: string;
-}
-
-/** The opened document. A physical body becomes a scenario, and its motion is shown immediately. */
-export type OpenAnswer = DocumentInfo;
 
 /** Inspection of a mesh. It is closed if no finding is an error. */
 export interface MeshInspection {
@@ -226,7 +210,7 @@ export interface RobotLink {
   verdict: "impossible" | "suspect" | "ok" | "none";
 }
 
-/** `GET lessons`; a teacher's own lesson comes first. */
+/** `"lessons"`; a teacher's own lesson comes first. */
 export interface Lessons {
   lessons: LessonInfo[];
 }
@@ -238,7 +222,7 @@ export interface LessonInfo {
   summary: string;
 }
 
-/** `GET lesson/ID` */
+/** `{"lesson": {"id"}}` */
 export interface Lesson extends LessonInfo {
   /** Document of its scenario. */
   document: number;

@@ -2,8 +2,8 @@
 //! shows, on this machine only.
 //!
 //! The page computes everything itself: it contains [`polhode_web::Engine`] as WebAssembly. The
-//! server answers two requests: the page, and the [pack](page) of the files. The page requests the
-//! pack again and again, and shows files as they are now. [`page`] writes both as one file.
+//! server answers two requests: the page, and the [pack](page()) of the files. The page requests the
+//! pack again and again, and shows files as they are now. [`page()`] writes both as one file.
 //!
 //! **Access.** The server listens only on the loopback address. Every path begins with a token of
 //! 128 random bits. A request with a foreign `Host` or `Origin` is refused, to prevent DNS

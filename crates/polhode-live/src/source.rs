@@ -1,7 +1,7 @@
 //! The pack of the files as they are now.
 
-use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 
 use polhode_source::files::{Asked, Disk, Files as _};
 
@@ -35,7 +35,10 @@ impl Source {
         if let Ok(mut asked) = self.asked.try_lock()
             && !asked.is_current(&Disk)
         {
-            self.wait_for_renamed(&asked);
+            // A program that saves a file by renaming another one may be about to do so.
+            if asked.files().any(|path| !Disk.is_file(path)) {
+                thread::sleep(limits::RENAME_TIME);
+            }
             let (now, gathered) = gather(&self.options);
             *asked = now;
             if let Ok(pack) = gathered.and_then(|gathered| Pack::of(&gathered)) {
@@ -43,14 +46,6 @@ impl Source {
             }
         }
         self.last().clone()
-    }
-
-    /// Waits if a file is missing: a program may be about to replace it by renaming another one.
-    fn wait_for_renamed(&self, asked: &Asked) {
-        let is_missing = |path: PathBuf| !Disk.is_file(&path);
-        if asked.files().any(|path| is_missing(path.to_owned())) {
-            std::thread::sleep(limits::RENAME_TIME);
-        }
     }
 
     fn last(&self) -> MutexGuard<'_, Pack> {

@@ -89,16 +89,20 @@ async function interactive() {
     const short = isPacked ? bytes : gzipSync(bytes, { level: 9 });
     return `<script type="application/octet-stream" id="${id}" data-length="${short.length}">${text85(short)}</script>`;
   };
+  const viewer = {
+    style: await style("src/live/live.css"),
+    script: await script("src/live/main.ts", codemirror),
+    worker: await bundle("src/live/worker.ts", { format: "iife", target: "es2022" }),
+  };
   const parts = [
     packed("polhode-module", readFileSync(given.module), given.module.endsWith(".gz")),
-    packed("polhode-worker", await bundle("src/live/worker.ts", { format: "iife", target: "es2022" })),
-    packed("polhode-page", await script("src/live/main.ts", codemirror)),
+    packed("polhode-viewer", JSON.stringify(viewer)),
     inside("script", await bundle("src/live/boot.ts", { format: "iife", target: "es2022" })),
   ];
   const policy = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";
   let page = index.replace(/(<meta http-equiv="Content-Security-Policy" content=")[^"]*/, (_, start) => start + policy);
   page = put(page, "<!--banner-->", banner.replace("\nuPlot", `\nCodeMirror ${codemirror}, MIT licence, copyright 2018-2026 Marijn Haverbeke and others,\nuPlot`));
-  page = put(page, "<!--style-->", `<link rel="icon" href="data:,">\n${inside("style", await style("src/live/live.css"))}`);
+  page = put(page, "<!--style-->", '<link rel="icon" href="data:,">\n<style id="starting">body > * { visibility: hidden } #problem { visibility: visible }</style>');
   page = put(page, "<!--polhode-data-->", "<!--polhode-files-->");
   return { [resolve(given.page)]: put(page, "<!--script-->", parts.join("\n")) };
 }

@@ -202,13 +202,18 @@ test("a robot's folder that is dropped opens its models with their meshes; what 
   writeFileSync(join(robot, "package.xml"), "<package><name>robot</name></package>");
   writeFileSync(join(robot, ".git/HEAD"), "ref");
   writeFileSync(join(robot, "README.md"), "words");
-  const sent = [];
-  page.on("request", (request) => {
-    if (request.url().includes("/drop?")) sent.push(new URL(request.url()).searchParams.get("name"));
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    window.sent = [];
+    Worker.prototype.postMessage = function (message, ...rest) {
+      if ("path" in message) window.sent.push(message.path);
+      return postMessage.call(this, message, ...rest);
+    };
   });
   await page.setInputFiles("input[webkitdirectory]", robot);
   await page.waitForFunction(() => window.polhodeInspection.document?.name === "two.urdf");
-  assert.deepEqual(sent.sort(), ["robot/meshes/part.off", "robot/urdf/two.urdf"]);
+  const sent = await page.evaluate(() => window.sent.sort());
+  assert.deepEqual(sent, ["dropped/1/robot/meshes/part.off", "dropped/1/robot/urdf/two.urdf"]);
   const panel = await page.locator(".inspection-panel").innerText();
   assert.match(panel, /1 link: 1 impossible/);
   assert.ok(!panel.includes("page.mesh"), "the mesh was found");

@@ -178,8 +178,8 @@ knobs = ["start.spin.body[2]"]
   writeFileSync(path, lesson);
   const own = await serve("--lesson", path);
   try {
-    assert.match(own.address, /#lesson=my%20lesson\.toml$/);
     const { page, problems, close } = await open(own.address);
+    assert.match(page.url(), /#lesson=my%20lesson\.toml$/);
     assert.equal(await page.locator(".lesson h2").innerText(), "<b>Mine</b>");
     assert.equal(await page.locator(".lesson img").count(), 0);
     assert.equal(await page.evaluate(() => document.body.classList.contains("asking")), false, "a step without a question covers nothing");

@@ -26,7 +26,7 @@ const MODULES: [&str; 13] = [
 ];
 
 /// Paths, with the words that files below them must not use, and the reason.
-const FORBIDDEN: [(&str, &[&str], &str); 13] = [
+const FORBIDDEN: [(&str, &[&str], &str); 14] = [
     (
         "crates/polhode/src/",
         &[

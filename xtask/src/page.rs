@@ -32,8 +32,13 @@ pub(crate) fn build(build: Build) -> Outcome {
     let arguments =
         ["build", "--locked", "--package", "polhode-wasm", "--target", TARGET, "--profile", profile];
     let mut command = cargo(&arguments);
-    command.env("CARGO_TARGET_DIR", &folder).env("RUSTFLAGS", format!("-Clink-arg=--max-memory={MEMORY}"));
-    Toolchain::find()?.apply(&mut command)?;
+    let mut flags = format!("-Clink-arg=--max-memory={MEMORY}");
+    if build == Build::Release {
+        // Without messages of defects, which take a twentieth of the module.
+        flags += " -Zunstable-options -Cpanic=immediate-abort";
+    }
+    command.env("CARGO_TARGET_DIR", &folder).env("RUSTFLAGS", flags);
+    Toolchain::find(build)?.apply(&mut command)?;
     run(&mut command)?;
     let module = folder.join("polhode.wasm");
     let built = folder.join(TARGET).join(profile).join("polhode_wasm.wasm");
@@ -92,10 +97,15 @@ fn size() -> Outcome {
 }
 
 /// A compiler with the standard library for WebAssembly, or with its sources.
+///
+/// Cargo compiles the sources too, which is not stable yet: a release needs it for a standard
+/// library without messages.
 enum Toolchain {
     /// That of cargo, with the target installed: `rustup target add wasm32-unknown-unknown`.
     Own,
-    /// Debian's `rustc-web`, with the sources `rust-web-src`, which cargo compiles.
+    /// That of cargo, with the sources installed: `rustup component add rust-src`.
+    OwnSources,
+    /// Debian's `rustc-web`, with the sources `rust-web-src`.
     Debian,
 }
 
@@ -104,12 +114,13 @@ const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "/usr/lib/rustlib/src/rust/library/
 
 impl Toolchain {
     /// Finds a compiler; installs Debian's if there is none and the system permits that.
-    fn find() -> Result<Self, String> {
-        let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-        let libraries =
-            output(Command::new(compiler).args(["--print", "target-libdir", "--target", TARGET]))?;
-        if Path::new(libraries.trim()).is_dir() {
+    fn find(build: Build) -> Result<Self, String> {
+        let libraries = output(Command::new("rustc").args(["--print", "target-libdir", "--target", TARGET]))?;
+        if build == Build::Quick && Path::new(libraries.trim()).is_dir() {
             return Ok(Self::Own);
+        }
+        if Path::new(&sysroot()?).join("lib/rustlib/src/rust/library/std/src/lib.rs").is_file() {
+            return Ok(Self::OwnSources);
         }
         let is_there = || DEBIAN.iter().all(|path| Path::new(path).is_file());
         if !is_there() {
@@ -120,22 +131,32 @@ impl Toolchain {
             let install =
                 ["install", "-qq", "-y", "--no-install-recommends", "rustc-web", "rust-web-src", "lld"];
             apt(&["update", "-qq"]).and_then(|()| apt(&install)).map_err(|why| {
-                format!("the module needs `rustup target add {TARGET}`, or Debian's rustc-web and rust-web-src ({why})")
+                format!("the module needs `rustup component add rust-src`, or Debian's rustc-web and rust-web-src ({why})")
             })?;
         }
         if is_there() { Ok(Self::Debian) } else { Err(format!("{} is not there", DEBIAN[1])) }
     }
 
     fn apply(&self, command: &mut Command) -> Outcome {
-        let Self::Debian = self else { return Ok(()) };
-        command.env("RUSTC", DEBIAN[0]).env("RUSTC_BOOTSTRAP", "1").arg("-Zbuild-std=std,panic_abort");
-        // rustup's toolchain has the linker that the other one uses, outside the path.
-        let sysroot = output(Command::new("rustc").args(["--print", "sysroot"]))?;
+        match self {
+            Self::Own => return Ok(()),
+            Self::OwnSources => {}
+            Self::Debian => {
+                command.env("RUSTC", DEBIAN[0]);
+            }
+        }
+        command.env("RUSTC_BOOTSTRAP", "1").arg("-Zbuild-std=std,panic_abort");
+        // rustup's toolchain has the linker that Debian's uses, outside the path.
         let host = format!("{}-unknown-linux-gnu", std::env::consts::ARCH);
-        let linkers = Path::new(sysroot.trim()).join("lib/rustlib").join(host).join("bin");
+        let linkers = Path::new(&sysroot()?).join("lib/rustlib").join(host).join("bin");
         let path = std::env::var_os("PATH").unwrap_or_default();
         let folders = std::env::split_paths(&path).chain([linkers]);
         command.env("PATH", std::env::join_paths(folders).map_err(|error| error.to_string())?);
         Ok(())
     }
+}
+
+/// Returns the folder of the compiler.
+fn sysroot() -> Result<String, String> {
+    output(Command::new("rustc").args(["--print", "sysroot"])).map(|path| path.trim().to_owned())
 }

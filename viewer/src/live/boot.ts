@@ -1,8 +1,15 @@
 /**
- * Start of the page: unpacks the script of the page, the worker's script and the module of the
+ * Start of the page: unpacks its style, its script, the worker's script and the module of the
  * engine, which the page contains as gzip in base 85.
  */
 import { bytesOf85 } from "./base85";
+
+/** Parts of the viewer, as they are packed. */
+export interface Viewer {
+  style: string;
+  script: string;
+  worker: string;
+}
 
 export interface Embedded {
   module: Promise<WebAssembly.Module>;
@@ -20,11 +27,14 @@ async function start(): Promise<void> {
   const module = WebAssembly.compileStreaming(unpacked("polhode-module"));
   // A page that cannot compile the module says so when it asks the engine.
   module.catch(() => null);
-  const [page, worker] = await Promise.all(["polhode-page", "polhode-worker"].map((id) => unpacked(id).text()));
+  const { style, script, worker } = (await unpacked("polhode-viewer").json()) as Viewer;
   window.polhodeEmbedded = { module, worker: URL.createObjectURL(new Blob([worker], { type: "text/javascript" })) };
-  const script = document.createElement("script");
-  script.textContent = page;
-  document.body.append(script);
+  for (const [kind, text] of [["style", style], ["script", script]]) {
+    const part = document.createElement(kind);
+    part.textContent = text;
+    document.body.append(part);
+  }
+  document.getElementById("starting")?.remove();
 }
 
 start().catch((problem: unknown) => {

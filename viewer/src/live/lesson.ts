@@ -14,6 +14,8 @@ interface Surroundings {
   session: Session;
   /** Selects the only knobs to show; null for all. */
   choose: (keys: string[] | null) => void;
+  /** Called with all documents after a lesson has been opened. */
+  listed: (documents: DocumentInfo[]) => void;
   say: (words: string) => void;
 }
 
@@ -67,6 +69,7 @@ export class Lessons {
     history.replaceState(null, "", `#lesson=${encodeURIComponent(id)}`);
     this.#of.app.tabs.open("lesson");
     this.#go(0);
+    this.#of.listed((await engine.documents()).documents);
   }
 
   /**

@@ -65,7 +65,7 @@ orSay(() => {
   const pad = new MomentsPad(session);
   const knobs = new Knobs(session, pad.host, () => ({ page: app.page, motion: app.motion }));
   document.querySelector(".view")?.append(knobs.host);
-  const lessons = new Lessons({ app, session, choose: (keys) => knobs.show(keys), say: (words) => notice.say(words) });
+  const lessons = new Lessons({ app, session, choose: (keys) => knobs.show(keys), say: (words) => notice.say(words), listed: (all) => void shown.update(all) });
   session.wantsWorking = () => app.tabs.current === "working" || lessons.wantsWorking;
   if (app.view) {
     new TipHandle(app, app.view, session);

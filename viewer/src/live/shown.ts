@@ -50,6 +50,7 @@ export class Shown {
       return;
     }
     await this.#ask(info, engine.document(info.id), asked, text);
+    if (!this.#all.some(({ id }) => id === info.id)) await this.update((await engine.documents()).documents);
   }
 
   #toggle(): void {

@@ -5,6 +5,6 @@ export type ToWorker = { module: WebAssembly.Module } | { path: string; bytes: A
 
 /**
  * Answer of the worker, with the time of the computation, ms. After a defect the worker is not used
- * again; a message of null means that the memory is full.
+ * again; the module of a release has no message of it.
  */
 export type FromWorker = { done: ArrayBuffer | null; took: number } | { defect: string | null };

@@ -68,7 +68,6 @@ scope.onmessage = ({ data }) => {
       scope.postMessage({ done, took: performance.now() - since }, [done]);
     }
   } catch (problem) {
-    // Without a message, the module has no more memory.
     scope.postMessage({ defect: defect || (problem instanceof WebAssembly.RuntimeError ? null : String(problem)) });
   }
 };

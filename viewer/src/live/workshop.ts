@@ -13,14 +13,12 @@ export interface Answered {
   took: number;
 }
 
-/** Error of a worker that has ended: a defect of the engine, or full memory. */
+/** Error of a worker that has ended. */
 export class Ended extends Error {
-  readonly isFull: boolean;
-
   constructor(defect: string | null) {
-    super(defect ?? "the memory of the page's engine is full (1 GiB)");
+    const cause = defect === null ? "its memory of 1 GiB is full, or it has a defect" : `it has a defect: ${defect}`;
+    super(`The engine of the page has ended: ${cause}. Use smaller files or a shorter motion, or the polhode command.`);
     this.name = "Ended";
-    this.isFull = defect === null;
   }
 }
 

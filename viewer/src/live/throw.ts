@@ -5,7 +5,7 @@
 import { Vector3 } from "three";
 import type { App } from "../app";
 import { type Quaternion, rotate, type Vector } from "../attitude";
-import { byId, element } from "../dom";
+import { byId, element, icon } from "../dom";
 import type { View } from "../scene/scene";
 import { between, type Held, onBall, product, rateOf, unit } from "./rotation";
 import type { Session } from "./session";
@@ -18,7 +18,7 @@ const BALL = 1.2;
 const MEMORY = 0.5;
 
 export class Throw {
-  readonly button = element("button", { type: "button", id: "throw", "aria-pressed": "false", title: "Take the body and throw it (g)" }, "Throw");
+  readonly button = element("button", { type: "button", id: "throw", "aria-pressed": "false", title: "Take the body and throw it (g)" }, icon("throw"), "Throw");
   readonly #app: App;
   readonly #view: View;
   readonly #session: Session;

@@ -269,6 +269,15 @@ test("no line is squashed: lines of other sizes have plots of their own", () => 
   assert.equal(arrange(figure([line("ψ", (s) => 27000 * s)], { unit: "°" })).stacks[0].title, "ψ (turns)");
 });
 
+const near = (a, b, by, what) => assert.ok(Math.abs(a - b) <= by, `${what}: ${a}, not ${b}`);
+
+/** The height of an edge at x. */
+function level(edge, x) {
+  const k = Math.max(edge.findIndex(([at]) => at > x), 1);
+  const [[x0, y0], [x1, y1]] = [edge[k - 1], edge[k]];
+  return x1 > x0 ? y0 + ((y1 - y0) * (x - x0)) / (x1 - x0) : y1;
+}
+
 test("stripes are drawn as an envelope, and zooming in brings the line back", () => {
   const count = 4000;
   // An oscillation whose size swells: 160 turns.
@@ -281,8 +290,10 @@ test("stripes are drawn as an envelope, and zooming in brings the line back", ()
   const [{ first, last, low, high, resolved }] = spans;
   assert.deepEqual([first, last, resolved], [0, count - 1, true]);
   for (const [edge, sense] of [[low, -1], [high, 1]]) {
-    assert.ok(edge.length > 155 && edge[0][0] === 0 && edge.at(-1)[0] > 399);
+    assert.ok(edge.length > 20 && edge[0][0] === 0 && edge.at(-1)[0] > 399);
     for (const [x, y] of edge.slice(1, -1)) assert.ok(Math.abs(sense * (y - 100) - size(x / 400)) < 0.2, `${x} ${y}`);
+    // Between its points, too: it has an extremum in each half turn.
+    for (let k = 4; k < 156; k += 1) near(sense * (level(edge, 2.5 * k) - 100), size(k / 160), 0.4, `at ${2.5 * k}`);
   }
   assert.deepEqual(envelopes(places(4000), y), [], "with room it is the line");
   const drawn = curve(places(400), y);
@@ -292,6 +303,15 @@ test("stripes are drawn as an envelope, and zooming in brings the line back", ()
   const coarse = Float64Array.from({ length: count }, (_, i) => 100 + 30 * Math.sin(2.7 * i));
   const missed = envelopes(places(40000), coarse);
   assert.deepEqual([missed.length, missed[0].resolved], [1, false]);
+  const [{ low: bottom, high: top }] = envelopes(places(400), coarse);
+  for (let x = 5; x < 395; x += 1) [bottom, top].forEach((edge, k) => near(level(edge, x), k === 0 ? 70 : 130, 0.5, `at ${x}`));
+  // Of two frequencies the edges are those of the sum, without teeth, and nothing is beyond them.
+  const beat = Float64Array.from({ length: count }, (_, i) => 100 + 20 * Math.sin(0.5 * i) + 9 * Math.sin(0.19 * i + 1));
+  const [{ low: lower, high: upper }] = envelopes(places(400), beat);
+  for (const [edge, sense] of [[lower, -1], [upper, 1]]) {
+    places(400).forEach((x, i) => assert.ok(sense * (level(edge, x) - beat[i]) > -0.02, `sample ${i}`));
+    for (let x = 20; x < 380; x += 1) near(sense * (level(edge, x) - 100), 29, 0.6, `at ${x}`);
+  }
   // One part may be dense, the other not; a break belongs to neither.
   const chirp = Float64Array.from({ length: count }, (_, i) => 100 + 30 * Math.sin(3e-5 * (i - count) ** 2));
   const parts = curve(places(400), chirp);
@@ -301,6 +321,15 @@ test("stripes are drawn as an envelope, and zooming in brings the line back", ()
   starts[2000] = 1;
   assert.deepEqual(envelopes(places(400), y, starts).map(({ first, last }) => [first, last]), [[0, 1999], [2000, count - 1]]);
   assert.deepEqual(extrema([0, 3, 1, 1.5, 0.9, 5, 5.2, 2], 0, 7, 1), [0, 1, 4, 6]);
+});
+
+test("a line of a tenth of another's range has an axis of its own, and readings have units", () => {
+  const [camera, panel] = [line("camera", (s) => 8 + 8 * Math.sin(5 * s)), line("panel", (s) => 90 + 80 * Math.sin(4 * s))];
+  const { stacks } = arrange(figure([camera, panel], { unit: "°" }));
+  assert.deepEqual(stacks.map(({ title, readingUnit }) => [title, readingUnit]), [["camera (°)", "°"], ["panel (°)", "°"]]);
+  const momentum = arrange(figure([line("L", (s) => 3e-4 * Math.sin(6 * s))], { unit: "kg·m²/s" }));
+  assert.equal(momentum.stacks[0].readingUnit, "×10⁻⁶ kg·m²/s");
+  assert.equal(arrange(figure([line("T", (s) => 1e-15 * s)], { log: true, unit: "relative" })).stacks[0].readingUnit, "");
 });
 
 test("the largest so far rises in steps over the dots", () => {

@@ -314,6 +314,7 @@ test("the plots read values, set the time and follow it", async () => {
   const i = Math.round(0.3 * 2000);
   const near = Array.from({ length: 9 }, (_, k) => omega[3 * (i + k - 4)]);
   const read = Number(await reading());
+  assert.equal(await page.locator("#plot-omega .key .unit").first().textContent(), "rad/s");
   assert.ok(read > Math.min(...near) - 0.01 && read < Math.max(...near) + 0.01, `${read} of ${near}`);
   assert.equal(await time(page), 0, "pointing does not move the time");
   await page.mouse.click(x, y);

@@ -38,6 +38,7 @@ export class TimePlot {
   readonly #unit: { name: string; seconds: number };
   readonly #title = element("div", { class: "axis-title y" });
   readonly #less = element("span", { class: "less" });
+  readonly #readingUnit = element("span", { class: "unit" });
   #figure: Figure;
   #stack: Stack;
   #marks: readonly Mark[];
@@ -62,6 +63,8 @@ export class TimePlot {
     stack.lines.forEach((line, k) => {
       key.append(element("span", { class: "key-entry" }, swatch(line), element("span", {}, line.label), this.#readings[k]));
     });
+    // All readings of a plot have its unit, after the last one.
+    key.lastElementChild?.append(this.#readingUnit);
     key.append(this.#less, this.#tag);
     const box = element("div", { class: "plot-box" });
     box.style.height = `${this.#height}px`;
@@ -115,7 +118,8 @@ export class TimePlot {
   }
 
   #name(): void {
-    const { title, less } = this.#stack;
+    const { title, less, readingUnit } = this.#stack;
+    this.#readingUnit.textContent = readingUnit;
     if (this.#title.textContent !== title) this.#title.textContent = title;
     this.#less.textContent = less;
     this.#less.hidden = less === "";

@@ -366,7 +366,7 @@ test("no figure has an empty range, and files hold the same as the screen", () =
   }
 });
 
-test("a free body's T and |L| are constants, its parts along the principal axes are drawn", () => {
+test("a free body's T and |L| are constants, its parts along the axes are drawn", () => {
   const made = samples.free();
   const motion = new Motion(made.motion);
   const [energy, momentum] = ["energy", "momentum"].map((id) => figuresOf(motion, principal(made)).find((f) => f.id === id));
@@ -385,15 +385,33 @@ test("a free body's T and |L| are constants, its parts along the principal axes 
   }
 });
 
-test("where the principal axes are not the body's, ω is drawn along both", () => {
+test("vectors are drawn along the body axes, or along one other set with marks of its own", () => {
+  const i = 611;
+  const quaternion = [0.8, 0.36, -0.48, 0];
+  for (const make of [samples.free, samples.heavy]) {
+    const made = make();
+    const motion = new Motion(made.motion);
+    const attitude = motion.attitudeOf(i);
+    const lines = (set, id) => figuresOf(motion, { ...principal(made), quaternion }, set).find((f) => f.id === id).lines.slice(0, 3);
+    const at = (set, id) => lines(set, id).map(({ values }) => values[i]);
+    const same = (a, b) => a.forEach((x, k) => near(x, b[k], 1e-12 * Math.hypot(...b), "component"));
+    const omega = [...motion.omega.subarray(3 * i, 3 * i + 3)];
+    const momentum = [...motion.momentum.subarray(3 * i, 3 * i + 3)];
+    same(at("body", "omega"), omega);
+    same(rotate(quaternion, at("principal", "omega")), omega);
+    same(at("space", "omega"), rotate(attitude, omega));
+    same(rotate(attitude, at("body", "momentum")), momentum);
+    same(rotate(attitude, rotate(quaternion, at("principal", "momentum"))), momentum);
+    const styles = ["body", "principal", "space"].map((set) => lines(set, "omega").map(({ symbol, ink, dash }) => [symbol, ink, String(dash)]));
+    assert.deepEqual(styles[0].map(([symbol]) => symbol), ["ωx", "ωy", "ωz"]);
+    assert.equal(new Set(styles.map(([[, , dash]]) => dash)).size, 3, "a dash of its own for each set");
+  }
   const made = samples.free();
   const motion = new Motion(made.motion);
-  const quaternion = [0.8, 0.36, -0.48, 0];
-  const figure = figuresOf(motion, { ...principal(made), quaternion }).find(({ id }) => id === "omega-principal");
-  const i = 611;
-  const back = rotate(quaternion, figure.lines.map(({ values }) => values[i]));
-  back.forEach((w, k) => assert.ok(Math.abs(w - motion.omega[3 * i + k]) < 1e-12));
-  assert.ok(!figuresOf(motion, principal(made)).some(({ id }) => id === "omega-principal"), "axes in another order are the same");
+  const symbols = (set, body = principal(made)) => figuresOf(motion, body, set).find(({ id }) => id === "energy").lines.map(({ symbol }) => symbol);
+  assert.deepEqual(symbols("body"), ["½Ixωx²", "½Iyωy²", "½Izωz²", "T"], "the principal axes are the body axes in another order");
+  assert.deepEqual(symbols("body", { ...principal(made), quaternion }), ["T"]);
+  assert.deepEqual(symbols("principal"), ["½i₁ω₁²", "½i₂ω₂²", "½i₃ω₃²", "T"]);
 });
 
 test("what is rounding is nothing, and where angles do not exist their sum is drawn", () => {
@@ -402,7 +420,7 @@ test("what is rounding is nothing, and where angles do not exist their sum is dr
   const figures = figuresOf(motion, principal(made));
   assert.deepEqual(figures.map(({ id }) => id), ["omega", "pointing", "energy", "momentum", "wheels", "wheel-speeds", "angles", "drift"]);
   const [momentum, angles, pointing] = ["momentum", "angles", "pointing"].map((id) => figures.find((f) => f.id === id));
-  assert.deepEqual(sentences(arrange(momentum).constants, momentum), ["|L| = LX = LY = LZ = 0"]);
+  assert.deepEqual(sentences(arrange(momentum).constants, momentum), ["Lx = Ly = Lz = |L| = 0"]);
   const omega = figures[0];
   assert.deepEqual(omega.lines.map(({ label }) => label), ["ωx", "ωy", "ωz"], "|ω| is that of ωz");
   const svg = svgOf(omega, arrange(omega), motion.times, 0, 60, marked(motion.events));

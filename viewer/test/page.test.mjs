@@ -335,6 +335,30 @@ test("the plots read values, set the time and follow it", async () => {
   await close();
 });
 
+test("plots have one set of axes, chosen above them; principal axes in the view are dashed", async () => {
+  const { page, problems, close } = await open(browser, "axis-sets", samples.free());
+  const titles = () => page.locator("#panel-plots h3").allInnerTexts();
+  const along = (set) => [`Angular velocity, ${set}`, set === "space axes" ? "Energy" : `Kinetic energy, ${set}`, `Angular momentum, ${set}`];
+  assert.deepEqual((await titles()).slice(0, 3), along("body axes"));
+  for (const [value, set] of [["principal", "principal axes"], ["space", "space axes"], ["body", "body axes"]]) {
+    await page.selectOption("#axis-set", value);
+    await page.waitForFunction((title) => document.querySelector("#plot-omega h3").textContent === title, along(set)[0]);
+    await page.locator("#plot-momentum").scrollIntoViewIfNeeded();
+    await page.waitForFunction((title) => document.querySelector("#plot-momentum h3").textContent === title, along(set)[2]);
+    assert.deepEqual((await titles()).slice(0, 3), along(set));
+  }
+  const shafts = await page.evaluate(() =>
+    ["body-axes", "principal-axes"].map((id) => {
+      const kinds = new Set();
+      window.polhode.view.layers.find((layer) => layer.id === id).objects[0].traverse(({ geometry }) => geometry && kinds.add(geometry.type));
+      return [...kinds].sort().join();
+    }),
+  );
+  assert.deepEqual(shafts, ["ConeGeometry,CylinderGeometry", "ConeGeometry,LatheGeometry"]);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("each plot saves as SVG and PNG, and the frame as PNG", async () => {
   const { page, problems, close } = await open(browser, "save", samples.heavy());
   const save = async (click) => {

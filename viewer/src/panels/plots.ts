@@ -6,6 +6,7 @@
  */
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
+import { AXIS_SETS, type AxisSet } from "../components";
 import type { PageData, TopData } from "../data";
 import { element } from "../dom";
 import { fileName } from "../save/files";
@@ -34,6 +35,10 @@ export class Plots {
   readonly #waiting = new Map<FigurePanel, FigureMaker>();
   #axisWaits: { top: TopData; motion: Motion } | null = null;
   #shared: Shared;
+  #page: PageData;
+  #motion: Motion;
+  /** Axes along which vectors are drawn. */
+  #set: AxisSet = "body";
   #axis: AxisPicture | null = null;
   /** Index of the sample under the pointer. */
   #hovered: number | null = null;
@@ -45,9 +50,11 @@ export class Plots {
   constructor(host: HTMLElement, page: PageData, motion: Motion, clock: Clock) {
     this.#clock = clock;
     this.#shared = sharedBy(page, motion);
+    [this.#page, this.#motion] = [page, motion];
     const hint = "Point to read values, click to go there, drag to zoom, double-click to see all. ";
     const ruler = element("div");
-    host.append(element("p", { class: "hint" }, hint, this.#readingTime), this.#events, this.#figures, ruler);
+    const reading = element("div", { class: "reading-line" }, this.#readingTime, this.#choice());
+    host.append(element("p", { class: "hint" }, hint), reading, this.#events, this.#figures, ruler);
     this.#watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
         if (isIntersecting) this.#seen.add(target);
@@ -67,7 +74,8 @@ export class Plots {
     const before = this.#shared;
     this.#shared = sharedBy(page, motion);
     this.#hovered = null;
-    const makers = makersOf(motion, page.body.principal);
+    [this.#page, this.#motion] = [page, motion];
+    const makers = makersOf(motion, page.body.principal, this.#set);
     if ((page.top === null) !== (this.#axis === null) || before.unit.name !== this.#shared.unit.name) {
       this.#build(page, motion);
       this.#resize(this.#width, true);
@@ -97,6 +105,17 @@ export class Plots {
     for (const { plot } of this.#plots()) plot.redraw(false);
   }
 
+  // Makes the choice of the axes. Plots have one set at a time.
+  #choice(): HTMLElement {
+    const choice = element("select", { id: "axis-set", class: "small" });
+    for (const [value, { choice: text }] of Object.entries(AXIS_SETS)) choice.append(element("option", { value }, text));
+    choice.addEventListener("change", () => {
+      this.#set = choice.value as AxisSet;
+      this.update(this.#page, this.#motion);
+    });
+    return element("label", {}, "Vectors along ", choice);
+  }
+
   // Builds everything again.
   #build(page: PageData, motion: Motion): void {
     this.#arrange([]);
@@ -108,7 +127,7 @@ export class Plots {
     this.#axisWaits = null;
     this.#axis = page.top ? new AxisPicture(motion, page.top, this.#shared.unit, this.#shared.file) : null;
     this.#listEvents(motion);
-    this.#arrange(makersOf(motion, page.body.principal));
+    this.#arrange(makersOf(motion, page.body.principal, this.#set));
     if (!this.#axis) return;
     this.#panels.get("omega")?.host.after(this.#axis.host);
     this.#watch.observe(this.#axis.host);

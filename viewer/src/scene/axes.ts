@@ -54,7 +54,8 @@ export class Axes {
       names.forEach((text, k) => {
         const tip = new Vector3(...axis(INKS[k])).multiplyScalar(reach);
         if (group === this.principal) tip.applyQuaternion(principal);
-        const arrow = new Arrow(fixed ? "faint" : INKS[k], width, palette);
+        // Principal axes have the colours of the body axes, but dashes.
+        const arrow = new Arrow(fixed ? "faint" : INKS[k], width, palette, group === this.principal);
         arrow.point(tip.x, tip.y, tip.z);
         group.add(arrow.object);
         this.#drawn.push({ layer, text, tip, turns: !fixed, ink: fixed ? "quiet" : INKS[k] });

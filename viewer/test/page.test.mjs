@@ -680,6 +680,37 @@ test("formulas and letters of the view are set in the font of the page", async (
   await close();
 });
 
+test("the dot of a derivative stands above its letter", async () => {
+  const accent = (letter) => `<math><mover accent="true"><mi>${letter}</mi><mi>˙</mi></mover></math>`;
+  const letters = [..."ω𝛚ηT"];
+  const explanation = letters.map((text) => ({ kind: "formula", mathml: accent(text), text }));
+  const { page, problems, close } = await open(browser, "dots", { ...samples.free(), explanation });
+  await page.click("#tab-working");
+  await page.evaluate(() => document.fonts.ready);
+  await page.addStyleTag({ content: ".formula { font-size: 60px; padding: 20px }" });
+  for (const [k, letter] of letters.entries()) {
+    const box = await page.locator("mover").nth(k).boundingBox();
+    const clip = { x: box.x, y: box.y - 10, width: box.width, height: box.height + 20 };
+    const picture = (await page.screenshot({ clip })).toString("base64");
+    // Rows of pixels with ink: the dot, a gap, the letter.
+    const runs = await page.evaluate(async (picture) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${picture}`;
+      await image.decode();
+      const canvas = new OffscreenCanvas(image.width, image.height);
+      const pen = canvas.getContext("2d");
+      pen.drawImage(image, 0, 0);
+      const { data } = pen.getImageData(0, 0, image.width, image.height);
+      const dark = (y) => Array.from({ length: image.width }, (_, x) => data[4 * (y * image.width + x)]).some((red) => red < 128);
+      const rows = Array.from({ length: image.height }, (_, y) => dark(y));
+      return rows.filter((inked, y) => inked && !rows[y - 1]).length;
+    }, picture);
+    assert.equal(runs, 2, letter);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("every kind of body is drawn, and each page says what it leaves out", async () => {
   for (const name of ["mesh", "balls", "box", "symmetric", "heavy"]) {
     const { page, problems, close } = await open(browser, name, samples[name]());

@@ -1,6 +1,8 @@
 // What needs no browser: the clock, attitudes, numbers, figures.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { Quaternion, Vector3 } from "three";
 import { load } from "./load.mjs";
 import { integrate, rotate, samples, tensor } from "./sample.mjs";
 
@@ -15,6 +17,9 @@ const { curve, largestSoFar } = await load("plot/curve.ts");
 const { labels, marked, marksOf } = await load("plot/events.ts");
 const { Motion } = await load("motion.ts");
 const { directions, Farthest } = await load("scene/framing.ts");
+const { inksOf, PARTS } = await load("scene/body.ts");
+const { enclosing } = await load("scene/inside.ts");
+const { Shadow } = await load("scene/shadow.ts");
 const { svgOf } = await load("plot/figure-svg.ts");
 const { f64, indices, readPage } = await load("decode.ts");
 const { motionAnswer } = await load("live/motion-answer.ts");
@@ -293,7 +298,7 @@ test("stripes are drawn as an envelope, and zooming in brings the line back", ()
     assert.ok(edge.length > 20 && edge[0][0] === 0 && edge.at(-1)[0] > 399);
     for (const [x, y] of edge.slice(1, -1)) assert.ok(Math.abs(sense * (y - 100) - size(x / 400)) < 0.2, `${x} ${y}`);
     // Between its points, too: it has an extremum in each half turn.
-    for (let k = 4; k < 156; k += 1) near(sense * (level(edge, 2.5 * k) - 100), size(k / 160), 0.4, `at ${2.5 * k}`);
+    for (let k = 4; k < 156; k += 1) near(sense * (level(edge, 2.5 * k) - 100), size(k / 160), 0.7, `at ${2.5 * k}`);
   }
   assert.deepEqual(envelopes(places(4000), y), [], "with room it is the line");
   const drawn = curve(places(400), y);
@@ -329,7 +334,61 @@ test("a line of a tenth of another's range has an axis of its own, and readings 
   assert.deepEqual(stacks.map(({ title, readingUnit }) => [title, readingUnit]), [["camera (°)", "°"], ["panel (°)", "°"]]);
   const momentum = arrange(figure([line("L", (s) => 3e-4 * Math.sin(6 * s))], { unit: "kg·m²/s" }));
   assert.equal(momentum.stacks[0].readingUnit, "×10⁻⁶ kg·m²/s");
+  assert.equal(arrange(figure([line("F", (s) => 0.02 + 0.01 * Math.sin(6 * s))], { unit: "N" })).stacks[0].readingUnit, "mN");
   assert.equal(arrange(figure([line("T", (s) => 1e-15 * s)], { log: true, unit: "relative" })).stacks[0].readingUnit, "");
+});
+
+test("parts of one name have one colour, each with contrast to the page, in both themes", () => {
+  const inks = inksOf(["bus", "panel, left", "panel, right", "tank 1", "tank 2", "boom"].map((name) => ({ name })));
+  assert.deepEqual(inks, ["part-1", "part-2", "part-2", "part-3", "part-3", "part-4"]);
+  const css = readFileSync(new URL("../src/theme.css", import.meta.url), "utf8");
+  const blocks = css.split("--paper:").slice(1).map((block) => `--paper:${block.split("}")[0]}`);
+  assert.equal(blocks.length, 3);
+  const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+  for (const block of blocks) {
+    const rgb = (name) => new RegExp(`--${name}: #([0-9a-f]{6});`).exec(block)[1].match(/../g).map((c) => parseInt(c, 16));
+    const luminance = (name) => rgb(name).reduce((sum, c, k) => sum + [0.2126, 0.7152, 0.0722][k] * linear(c / 255), 0);
+    const parts = PARTS.map((part) => ({ part, rgb: rgb(part) }));
+    for (const { part, rgb: a } of parts) {
+      const [low, high] = [luminance(part), luminance("paper")].sort((p, q) => p - q);
+      assert.ok((high + 0.05) / (low + 0.05) > 2, `${part} on paper`);
+      for (const other of parts) if (other.part > part) assert.ok(Math.hypot(...a.map((c, k) => c - other.rgb[k])) > 25, `${part} and ${other.part}`);
+    }
+  }
+});
+
+test("a solid with a part inside is transparent", () => {
+  const unit = [Math.cos(0.3), 0, Math.sin(0.3), 0];
+  const cube = (position, size) => ({ kind: "box", name: "", position, quaternion: unit, size: [size, size, size] });
+  // Corners of a cube that stands upright.
+  const corners = ([x, y, z], size) => Float64Array.from({ length: 24 }, (_, k) => [x, y, z][k % 3] + ((Math.floor(k / 3) >> (k % 3)) & 1 ? 0.5 : -0.5) * size);
+  const shapes = [cube([1, 2, 3], 2), cube([1.1, 2.1, 3], 0.5), cube([2, 2, 3], 0.5)];
+  const inside = (third) => enclosing(shapes, [corners([1, 2, 3], 2), corners([1.1, 2.1, 3], 0.5), third]);
+  assert.deepEqual(inside(corners([2, 2, 3], 0.5)), [true, false, false]);
+  assert.deepEqual(enclosing(shapes.slice(1), [corners([1.1, 2.1, 3], 0.5), corners([2, 2, 3], 0.5)]), [false, false], "neither is in the other");
+});
+
+test("the shadow lies on the floor below the body, along its outline", () => {
+  const bound = { shared: (_, __, make) => make() };
+  const normal = new Vector3(0.2, -0.1, 1).normalize();
+  // A rod of length 2 and thickness 0.2, inclined, its middle at (0.4, 0.3, 0.9).
+  const outline = Array.from({ length: 200 }, (_, k) => new Vector3(-1 + k / 99.5, 0.1 * Math.cos(k), 0.1 * Math.sin(k)));
+  const turn = new Quaternion().setFromAxisAngle(new Vector3(0.3, -0.4, 0.86).normalize(), 0.8);
+  const middle = new Vector3(0.4, 0.3, 0.9);
+  const shadow = new Shadow(normal, outline, bound);
+  shadow.pose((p) => p.clone().applyQuaternion(turn).add(middle));
+  const [a, b, n] = [new Vector3(), new Vector3(), new Vector3()];
+  shadow.object.matrix.extractBasis(a, b, n);
+  const center = new Vector3().setFromMatrixPosition(shadow.object.matrix);
+  near(center.dot(normal), 0.003, 1e-9, "on the floor");
+  const below = middle.clone().addScaledVector(normal, -middle.dot(normal));
+  assert.ok(center.distanceTo(below) < 0.03, "below the middle");
+  const along = new Vector3(1, 0, 0).applyQuaternion(turn);
+  const flat = along.clone().addScaledVector(normal, -along.dot(normal));
+  const long = a.length() > b.length() ? a : b;
+  near(Math.abs(long.clone().normalize().dot(flat.clone().normalize())), 1, 1e-3, "along the rod");
+  assert.ok(a.length() + b.length() > 1.2 * flat.length() && Math.min(a.length(), b.length()) < 0.3);
+  assert.ok(n.distanceTo(normal) < 1e-12);
 });
 
 test("the largest so far rises in steps over the dots", () => {

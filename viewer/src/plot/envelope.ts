@@ -19,7 +19,7 @@ const RESOLVED = 2.5;
  * Length of the chords of an edge, px. Where extrema alternate, as with two frequencies, the edge
  * goes from one of the outer extrema to the next.
  */
-const CHORD = 24;
+const CHORD = 32;
 
 /** Number of swings that make a span. Fewer are drawn as they are. */
 const FEWEST = 8;

@@ -98,8 +98,8 @@ export class MotionScene {
     this.#free = page.free !== null && page.free.energy > 0 && page.free.momentum > 0 ? page.free : null;
     this.pictures = this.#free ? ["body", "poinsot", "cones", "sphere"] : ["body"];
     this.#axes = new Axes(this.principal, AXES, 0.92 * LONGEST, palette);
-    this.#heavy = HeavyBody.of(page, motion, this.model.radius, AXES, palette);
-    this.#contact = motion.contact && new ContactScene(motion.contact, motion, this.model.radius, palette);
+    this.#heavy = HeavyBody.of(page, motion, this.model, AXES, palette);
+    this.#contact = motion.contact && new ContactScene(motion.contact, motion, this.model.radius, this.model.outline, palette);
     this.#wheels = motion.wheels.length > 0 ? new Wheels(motion, this.scales.momentum, palette) : null;
     this.omega = new Arrow("omega", THICK, palette);
     this.#momentum = new Arrow("ink", THICK, palette);
@@ -148,7 +148,7 @@ export class MotionScene {
     const now = this.#motion.at(time);
     if (held) now.attitude = held;
     this.#turn(now, time, picture);
-    this.#contact?.pose(now, time);
+    this.#contact?.pose(now, time, this.#turned);
     if (picture === "body") this.#drawTrail(time, now, trailed, trails);
     if (picture === "cones") this.cones?.draw(time);
     if (picture === "sphere") this.sphere?.draw(rotate(inverse(now.attitude), now.momentum));
@@ -233,7 +233,7 @@ export class MotionScene {
     this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
     if (now.torque) this.#torque.point(...(now.torque.map((c) => c * this.scales.torque) as Vector));
     if (picture === "body") {
-      this.#heavy?.pose(now.attitude);
+      this.#heavy?.pose(now.attitude, this.#turned);
       this.#wheels?.pose(time);
     }
   }

@@ -553,6 +553,54 @@ test("each picture has its line and its names, and nothing that one can press is
   }
 });
 
+test("the momentum sphere is round, arrows begin on it, and its separatrix is named on its line", async () => {
+  const { page, problems, close } = await open(browser, "round", samples.free());
+  await page.click("[data-picture=sphere]");
+  const found = await page.evaluate(() => {
+    const { view } = window.polhode;
+    view.render();
+    const label = view.labels.placed.find(({ text }) => text === "separatrix");
+    const distance = Math.min(...label.along.map((p) => Math.hypot(...view.project(p).map((c, k) => c - [label.x, label.y][k]))));
+    for (const id of ["principal-axes", "momentum", "mark"]) view.toggle(view.layers.find((one) => one.id === id));
+    view.render();
+    // Where rays from the middle of the sphere leave the ink.
+    const drawn = document.querySelector("#canvas");
+    const picture = document.createElement("canvas");
+    [picture.width, picture.height] = [drawn.width, drawn.height];
+    picture.getContext("2d").drawImage(drawn, 0, 0);
+    const { width, height } = picture;
+    const { data } = picture.getContext("2d").getImageData(0, 0, width, height);
+    const ratio = width / document.querySelector("#canvas").clientWidth;
+    const [x, y] = view.project(view.orbit.target.clone().set(0, 0, 0)).map((c) => c * ratio);
+    const isPaper = (px, py) => data[4 * (Math.round(py) * width + Math.round(px)) + 3] < 8;
+    const radii = Array.from({ length: 360 }, (_, k) => {
+      const [c, s] = [Math.cos((k * Math.PI) / 180), Math.sin((k * Math.PI) / 180)];
+      let r = 50;
+      while (!isPaper(x + r * c, y + r * s)) r += 0.5;
+      return r;
+    });
+    return { distance, radii };
+  });
+  assert.ok(found.distance < 1, `${found.distance} px from its line`);
+  // Seen in perspective off its axis, the sphere is an ellipse: neighbouring radii tell bumps.
+  found.radii.forEach((r, k) => {
+    const mean = (found.radii[(k + 355) % 360] + found.radii[(k + 5) % 360]) / 2;
+    assert.ok(Math.abs(r - mean) < 2, `${r} px at ${k}°, beside ${mean}`);
+  });
+  const feet = await page.evaluate(() => {
+    const { view } = window.polhode;
+    const foot = (id) => {
+      const feet = [];
+      view.layers.find((one) => one.id === id).objects[0].traverse(({ geometry, position }) => /Lathe|Cylinder/.test(geometry?.type) && feet.push(position.y));
+      return Math.min(...feet);
+    };
+    return [foot("momentum"), foot("principal-axes")];
+  });
+  assert.deepEqual(feet, [1, 1]);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("the mark on the momentum sphere is at L/|L|, and L points to it", async () => {
   const data = samples.free();
   const { page, close } = await open(browser, "mark", data);
@@ -570,7 +618,7 @@ test("the mark on the momentum sphere is at L/|L|, and L points to it", async ()
     const l = [...momentum.subarray(3 * i, 3 * i + 3)];
     const size = Math.hypot(...l);
     l.forEach((x, k) => {
-      assert.ok(Math.abs(mark[k] - (1.004 * x) / size) < 1e-6, `${i}: ${mark}`);
+      assert.ok(Math.abs(mark[k] - (1.002 * x) / size) < 1e-6, `${i}: ${mark}`);
       assert.ok(Math.abs(tip[k] - (1.25 * x) / size) < 1e-6, `${i}: ${tip}`);
     });
   }

@@ -42,15 +42,20 @@ export class Arrow {
     }
   }
 
-  point(x: number, y: number, z: number): void {
+  /** Points the arrow; its shaft begins at the distance `foot` from the origin. */
+  point(x: number, y: number, z: number, foot = 0): void {
     this.tip.set(x, y, z).clampLength(0, MOST);
     const long = this.tip.length();
     this.drawn = long > 1e-6;
     for (const part of [...this.#shafts, ...this.#heads]) part.visible = this.drawn;
     if (!this.drawn) return;
     this.object.quaternion.setFromUnitVectors(Y, this.tip.clone().divideScalar(long));
-    const head = Math.min(7 * this.#width, 0.5 * long);
-    for (const shaft of this.#shafts) shaft.scale.set(this.#width, long - head, this.#width);
+    const from = Math.min(foot, long);
+    const head = Math.min(7 * this.#width, 0.5 * (long - from));
+    for (const shaft of this.#shafts) {
+      shaft.position.set(0, from, 0);
+      shaft.scale.set(this.#width, long - head - from, this.#width);
+    }
     for (const cone of this.#heads) {
       cone.position.set(0, long, 0);
       cone.scale.set(Math.min(2.6 * this.#width, head), head, Math.min(2.6 * this.#width, head));

@@ -58,6 +58,11 @@ export class ContactScene {
     this.#put("surface", "Surface that touches", null, "area", true, group);
   }
 
+  /** Points of the edge of the ground. */
+  get rim(): readonly Vector3[] {
+    return this.#ground.rim;
+  }
+
   /** `turned` converts a place in the body to space. */
   pose(now: Moment, time: number, turned: (p: Vector3) => Vector3): void {
     this.#ground.pose(time);

@@ -204,7 +204,8 @@ export class MotionScene {
         // body.
         const moved = moves && isWhole ? outline.map(this.#turned) : [];
         if (goesAlong) origin.copy(this.middle);
-        return [...named, ...moved, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().sub(origin).applyQuaternion(back));
+        const ground = goesAlong || !seen("ground") ? [] : (this.#contact?.rim ?? []);
+        return [...named, ...moved, ...ground, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().sub(origin).applyQuaternion(back));
       },
       rigid: isSphere ? directions(100) : moves ? [] : outline,
       turn: () => (isSphere ? back.clone() : back.clone().multiply(this.body.quaternion)),
@@ -230,7 +231,11 @@ export class MotionScene {
     // Except in the body's picture, only the direction of L is meaningful.
     const shown = picture === "poinsot" ? (this.poinsot?.arrow ?? 1) : 1.25;
     const long = picture === "body" ? this.scales.momentum : shown / length(now.momentum);
-    this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
+    // Arrows begin on the momentum sphere, not in it.
+    const foot = picture === "sphere" ? 1 : 0;
+    const [lx, ly, lz] = now.momentum.map((c) => c * long);
+    this.#momentum.point(lx, ly, lz, foot);
+    this.#axes.begin(foot);
     if (now.torque) this.#torque.point(...(now.torque.map((c) => c * this.scales.torque) as Vector));
     if (picture === "body") {
       this.#heavy?.pose(now.attitude, this.#turned);

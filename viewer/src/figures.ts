@@ -181,7 +181,7 @@ function attitudeError(motion: Motion): Made {
 const plain = { log: false };
 
 /** Returns the style of the k-th of lines without a style of their own: twelve different ones. */
-function look(k: number): Pick<Line, "ink" | "dash"> {
+export function look(k: number): Pick<Line, "ink" | "dash"> {
   const inks = [...AXES, "omega", "torque", "ink"];
   const dashed = (k + Math.floor(k / inks.length)) % 2 === 1;
   return { ink: inks[k % inks.length], ...(dashed ? { dash: [6, 3] } : {}) };

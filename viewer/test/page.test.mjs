@@ -677,6 +677,43 @@ test("a heavy top has its circles, the path of its axis, a floor, and gravity at
   }
 });
 
+test("a satellite has the directions of its orbit and the cones of its pointings, and fills the picture", async () => {
+  const data = samples.orbiting();
+  for (const [colorScheme, viewport] of [["light", { width: 1440, height: 900 }], ["dark", { width: 390, height: 844 }]]) {
+    const { page, problems, close } = await open(browser, `sky-${colorScheme}`, data, { colorScheme, viewport });
+    const legend = await page.locator("#legend button").allInnerTexts();
+    for (const name of ["Nadir", "Velocity", "Target of panel", "camera, cone of 43°", "panel"]) assert.ok(legend.includes(name), `${name} of ${legend}`);
+    const phase = 0.05 * 20;
+    const at = (angle) => [Math.cos(angle), 0.6 * Math.sin(angle), 0.8 * Math.sin(angle)].map((c) => 1.5 * c);
+    const found = await page.evaluate(() => {
+      const { clock, view } = window.polhode;
+      const seen = (t) => {
+        clock.set(t);
+        view.render();
+        const cone = view.layers.find(({ id }) => id === "pointing-0").objects[0].children[1];
+        return { color: cone.material.color.getHexString(), tips: Object.fromEntries(view.labels.placed.map(({ text, tip }) => [text, tip.toArray()])) };
+      };
+      const { clientWidth, clientHeight } = document.querySelector("#canvas");
+      const inside = seen(0);
+      const outside = seen(5);
+      const late = seen(20);
+      const spots = view.model.outline.map((p) => view.project(p.clone().applyQuaternion(view.layers.find(({ id }) => id === "body").objects[0].parent.quaternion)));
+      const [xs, ys] = [0, 1].map((k) => spots.map((spot) => spot[k]));
+      const size = Math.max((Math.max(...xs) - Math.min(...xs)) / clientWidth, (Math.max(...ys) - Math.min(...ys)) / clientHeight);
+      return { inside, outside, late, size };
+    });
+    // At t = 0 the camera is 0.7 rad off, at 5 s 0.9 rad; its limit is 0.75.
+    assert.notEqual(found.inside.color, found.outside.color, "the cone that the target has left is marked");
+    for (const [name, wanted] of [["nadir", at(phase + Math.PI).map((c) => (1.7 / 1.5) * c)], ["velocity", at(phase + Math.PI / 2)], ["target of panel", [0.9, 0.96, -0.72]]]) {
+      wanted.forEach((c, k) => assert.ok(Math.abs(found.late.tips[name][k] - c) < 1e-5, `${name}: ${found.late.tips[name]}, not ${wanted}`));
+    }
+    assert.ok(found.size > 0.3, `the body takes ${found.size} of the picture, whatever its tape`);
+    await shoot(page, `sky-${colorScheme}`);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
 test("a wheel has its axis, h, and says when its motor runs", async () => {
   const data = samples.wheeled();
   const { page, problems, close } = await open(browser, "wheel", data);

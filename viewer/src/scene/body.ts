@@ -62,8 +62,10 @@ export class BodyModel {
     this.shapes = this.#solids.group;
     this.coarser = this.#solids.coarser;
     const ellipsoid = farthestOf(data);
-    const shapes = this.hasShapes ? this.#solids.farthest : ellipsoid;
-    const farthest = Math.max(...shapes.map((p) => p.length())) || 1;
+    const all = this.hasShapes ? this.#solids.farthest : ellipsoid;
+    // The camera does not go back for small distant parts, such as a tip mass.
+    const shapes = this.hasShapes && this.#solids.main.length > 0 ? this.#solids.main : all;
+    const farthest = Math.max(...all.map((p) => p.length())) || 1;
     const own = this.hasShapes ? Math.min(this.#solids.bulk, farthest) : farthest;
     const isLike = before !== null && own > 0.55 * before.radius && own < 1.35 * before.radius;
     this.radius = isLike ? before.radius : own;
@@ -78,6 +80,8 @@ export class BodyModel {
 export class Solids {
   readonly group = new Group();
   readonly farthest: Vector3[];
+  /** The same without parts that are small compared with their distance. */
+  readonly main: Vector3[];
   /** Distance of the farthest part that is not small compared with its distance. */
   readonly bulk: number;
   readonly coarser: string | null;
@@ -99,6 +103,8 @@ export class Solids {
     });
     this.farthest = extremes(parts);
     this.bulk = bulk(parts);
+    const main = parts.filter((part) => !isSmall(part));
+    this.main = main.length === parts.length ? this.farthest : extremes(main);
   }
 }
 
@@ -160,11 +166,17 @@ function outlineOf(part: Group): Outline {
  * if all are small.
  */
 function bulk(parts: Outline[]): number {
-  const large = parts.flatMap((part) => {
-    const far = Math.max(...corners(part).map((p) => p.length()));
-    return part.max.distanceTo(part.min) < SMALL * far ? [] : [far];
-  });
+  const large = parts.filter((part) => !isSmall(part)).map(reachOf);
   return large.length > 0 ? Math.max(...large) : Infinity;
+}
+
+/** Returns true for a part that is small compared with its distance. */
+function isSmall(part: Outline): boolean {
+  return part.max.distanceTo(part.min) < SMALL * reachOf(part);
+}
+
+function reachOf(part: Outline): number {
+  return Math.max(...corners(part).map((p) => p.length()));
 }
 
 function corners({ min, max }: Outline): Vector3[] {

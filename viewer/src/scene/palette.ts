@@ -19,6 +19,7 @@ export const INKS = [
   "part-5",
   "part-6",
   "shadow",
+  "earth",
   "contour",
   "edge",
   "axis-1",

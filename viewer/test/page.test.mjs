@@ -796,6 +796,49 @@ test("the dot of a derivative stands above its letter", async () => {
   await close();
 });
 
+test("a presentation has large type, and reveals the answer and the sections of the panel step by step", async () => {
+  for (const viewport of [{ width: 1440, height: 900 }, { width: 1024, height: 768 }]) {
+    const { page, problems, close } = await open(browser, "present", samples.free(), { viewport });
+    const seen = () =>
+      page.evaluate(() => ({
+        caption: document.querySelector("#caption").checkVisibility({ visibilityProperty: true }),
+        plots: [...document.querySelectorAll(".plot")].filter((plot) => plot.checkVisibility({ visibilityProperty: true })).length,
+        full: document.fullscreenElement !== null,
+        size: Number.parseFloat(getComputedStyle(document.querySelector("#caption")).fontSize),
+      }));
+    const all = (await seen()).plots;
+    await page.keyboard.press("p");
+    await page.waitForFunction(() => document.fullscreenElement !== null);
+    const first = await seen();
+    assert.deepEqual([first.caption, first.plots, first.full], [false, 0, true], "the body alone");
+    assert.ok(first.size >= 24, `${first.size} px`);
+    await page.keyboard.press("PageDown");
+    assert.deepEqual([(await seen()).caption, (await seen()).plots], [true, 0], "the answer");
+    for (const plots of [1, 2]) {
+      await page.keyboard.press("PageDown");
+      assert.equal((await seen()).plots, plots);
+    }
+    // Plots are read where they are.
+    const box = await page.locator("#plot-energy .u-over").boundingBox();
+    await page.mouse.click(box.x + 0.4 * box.width, box.y + box.height / 2);
+    assert.ok(Math.abs((await time(page)) - 8) < 0.15, `${await time(page)} s`);
+    const bar = await page.locator(".transport > *").evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect().right));
+    const { right } = await page.locator(".view").evaluate((view) => view.getBoundingClientRect().toJSON());
+    assert.ok(bar.every((end) => end <= right + 1), `${bar} in ${right}`);
+    await shoot(page, `present-${viewport.width}`);
+    await page.keyboard.press("PageUp");
+    assert.equal((await seen()).plots, 1);
+    await page.keyboard.press("p");
+    await page.waitForFunction(() => document.fullscreenElement === null && !document.body.classList.contains("presenting"));
+    assert.deepEqual([(await seen()).caption, (await seen()).plots], [true, all]);
+    await page.keyboard.press("?");
+    assert.match(await page.locator("#help").innerText(), /presentation: full screen, large type/);
+    await page.keyboard.press("Escape");
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
 test("every kind of body is drawn, and each page says what it leaves out", async () => {
   for (const name of ["mesh", "balls", "box", "symmetric", "heavy"]) {
     const { page, problems, close } = await open(browser, name, samples[name]());

@@ -4,8 +4,6 @@
  */
 import { PLACES } from "./range";
 
-/** Diameter of the thumb, px; theme: `.knob input::-webkit-slider-thumb`. */
-const THUMB = 16;
 /** Distance from the thumb's centre within which a press takes it, px. */
 const GRIP = 14;
 const FINE = 0.1;
@@ -36,8 +34,13 @@ export class Steering {
     track.addEventListener("dblclick", () => steered.type());
   }
 
+  /** Diameter of the thumb, px. */
+  get #thumb(): number {
+    return Number.parseFloat(getComputedStyle(this.#slider).getPropertyValue("--thumb"));
+  }
+
   get #length(): number {
-    return Math.max(this.#slider.getBoundingClientRect().width - THUMB, 1);
+    return Math.max(this.#slider.getBoundingClientRect().width - this.#thumb, 1);
   }
 
   #press(track: HTMLElement, event: PointerEvent): void {
@@ -52,7 +55,7 @@ export class Steering {
     this.#place = place;
     this.#steered.begin();
     const box = this.#slider.getBoundingClientRect();
-    const pressed = (PLACES * (event.clientX - box.left - THUMB / 2)) / this.#length;
+    const pressed = (PLACES * (event.clientX - box.left - this.#thumb / 2)) / this.#length;
     if (event.shiftKey || Math.abs(pressed - place) <= (PLACES * GRIP) / this.#length) return;
     this.#place = pressed;
     this.#go(false);

@@ -40,6 +40,8 @@ export class Plots {
   /** Axes along which vectors are drawn. */
   #set: AxisSet = "body";
   #axis: AxisPicture | null = null;
+  /** Size of the type, relative to that of the page. */
+  #size = 1;
   /** Index of the sample under the pointer. */
   #hovered: number | null = null;
   #width = 0;
@@ -49,7 +51,7 @@ export class Plots {
 
   constructor(host: HTMLElement, page: PageData, motion: Motion, clock: Clock) {
     this.#clock = clock;
-    this.#shared = sharedBy(page, motion);
+    this.#shared = sharedBy(page, motion, this.#size);
     [this.#page, this.#motion] = [page, motion];
     const hint = "Point to read values, click to go there, drag to zoom, double-click to see all. ";
     const ruler = element("div");
@@ -72,7 +74,7 @@ export class Plots {
   /** Shows another motion. */
   update(page: PageData, motion: Motion): void {
     const before = this.#shared;
-    this.#shared = sharedBy(page, motion);
+    this.#shared = sharedBy(page, motion, this.#size);
     this.#hovered = null;
     [this.#page, this.#motion] = [page, motion];
     const makers = makersOf(motion, page.body.principal, this.#set);
@@ -98,6 +100,15 @@ export class Plots {
       clearTimeout(this.#later);
       this.#later = window.setTimeout(() => this.#drawRest(), QUIET);
     }
+    this.#follow();
+  }
+
+  /** Draws all plots again, with type of another size. */
+  magnify(size: number): void {
+    this.#size = size;
+    this.#shared = sharedBy(this.#page, this.#motion, size);
+    this.#build(this.#page, this.#motion);
+    this.#resize(this.#width, true);
     this.#follow();
   }
 
@@ -262,8 +273,8 @@ export class Plots {
   }
 }
 
-function sharedBy(page: PageData, motion: Motion): Shared {
+function sharedBy(page: PageData, motion: Motion, size: number): Shared {
   const { times } = motion;
   const unit = timeUnit(Math.max(Math.abs(times[times.length - 1]), Math.abs(times[0])));
-  return { times, unit, marked: marked(motion.events), phases: motion.contact?.phases ?? [], file: fileName(page.title) };
+  return { times, unit, marked: marked(motion.events), phases: motion.contact?.phases ?? [], size, file: fileName(page.title) };
 }

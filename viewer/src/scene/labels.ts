@@ -74,9 +74,12 @@ export class Labels {
     this.#lines = svgElement("svg", { class: "leaders" });
     host.append(this.#lines);
     // Labels measured before the font was loaded are measured again.
-    void document.fonts.ready.then(() => {
-      for (const made of this.#made.values()) measure(made);
-    });
+    void document.fonts.ready.then(() => this.remeasure());
+  }
+
+  /** Measures the labels again, after a change of their type. */
+  remeasure(): void {
+    for (const made of this.#made.values()) measure(made);
   }
 
   /**

@@ -18,7 +18,6 @@ export const INKS = [
   "part-4",
   "part-5",
   "part-6",
-  "shadow",
   "earth",
   "contour",
   "edge",

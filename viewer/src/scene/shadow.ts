@@ -30,7 +30,7 @@ export class Shadow {
     this.#across = [first, normal.clone().cross(first)];
     this.#outline = outline;
     const look = { vertexColors: true, transparent: true, depthWrite: false };
-    this.object = new Mesh(DISC, palette.shared("shadow", "shadow", () => new MeshBasicMaterial(look)));
+    this.object = new Mesh(DISC, palette.shared("shadow", "edge", () => new MeshBasicMaterial(look)));
     this.object.matrixAutoUpdate = false;
   }
 

@@ -12,6 +12,7 @@ import { scenario } from "./panels/scenario";
 import { type Tab, Tabs } from "./panels/tabs";
 import { toolbar } from "./panels/toolbar";
 import { working } from "./panels/working";
+import { Presentation } from "./present";
 import { SaveDialog } from "./save/dialog";
 import { fileName, saveCanvas } from "./save/files";
 import { View } from "./scene/scene";
@@ -75,6 +76,7 @@ export class App {
     byId("save").hidden = this.view === null;
     byId("save").addEventListener("click", () => this.#save());
     if (this.view) this.#fit(this.view);
+    new Presentation(this);
     run(this.clock);
     window.polhode = {
       clock: this.clock,
@@ -106,6 +108,13 @@ export class App {
     this.tabs.refresh();
     this.clock.replace(motion.times);
     this.#saving?.changed();
+  }
+
+  /** Sets the size of the type of plots and labels, relative to that of the page. */
+  magnify(size: number): void {
+    this.#plots?.magnify(size);
+    this.view?.labels.remeasure();
+    this.view?.invalidate();
   }
 
   #save(): void {

@@ -157,8 +157,16 @@ export interface MotionData {
    * torque of the motor on the wheel, N·m, null without a motor.
    */
   wheels: { name: string; axis: [number, number, number]; momentum: Row; speed: Row | null; motor: Row | null }[];
-  /** Angles between directions of the body and targets, n × f64, rad. */
-  pointings: { name: string; values: Row }[];
+  /**
+   * Angles between directions of the body and targets, n × f64, rad. `body`: direction, body axes,
+   * a unit vector; `target`: index in `directions`; `limit`: largest angle that is allowed, rad.
+   */
+  pointings: { name: string; body: [number, number, number]; target: number; limit: number | null; values: Row }[];
+  /**
+   * Directions at a satellite, space axes: unit vectors, 3 n × f32, or one that is fixed. Names are
+   * "nadir", "velocity", "B" and others.
+   */
+  directions: { name: string; fixed: [number, number, number] | null; values: Base64 | null }[];
   /** Events with time, s, and name; only the first ones if there are many. */
   events: { time: number; name: string }[];
   /** Number of all events. */

@@ -1,8 +1,10 @@
 /** Figures of quantities over time, the same on the screen and in saved files. */
 import { angles } from "./angles";
-import { inverse, type Quaternion, rotate, type Vector, writeRotated } from "./attitude";
+import type { Quaternion } from "./attitude";
+import { alongBody, AXIS_SETS, type AxisSet, components } from "./components";
 import { contactFigures } from "./contact-figures";
 import { lengths, type Motion } from "./motion";
+import { constantOf } from "./plot/arrange";
 import type { Figure, Line } from "./plot/lines";
 import { extent } from "./plot/scale";
 
@@ -23,23 +25,24 @@ export interface FigureMaker {
 }
 
 /**
- * Makes all figures. `principal` takes components along principal axes to components in body axes;
- * the principal axes are about the point that the body turns about.
+ * Makes all figures, with vectors along a set of axes. `principal` takes components along principal
+ * axes to components in body axes; the principal axes are about the point that the body turns about.
  */
-export function figuresOf(motion: Motion, principal: Principal): Figure[] {
-  return makersOf(motion, principal).map(({ make }) => make());
+export function figuresOf(motion: Motion, principal: Principal, set: AxisSet = "body"): Figure[] {
+  return makersOf(motion, principal, set).map(({ make }) => make());
 }
 
-export function makersOf(motion: Motion, principal: Principal): FigureMaker[] {
+export function makersOf(motion: Motion, principal: Principal, set: AxisSet): FigureMaker[] {
   const free = motion.torque === null && motion.wheels.length === 0;
+  const along = { set, principal: principal.quaternion };
+  const parts = free && set !== "space" ? shares(motion, principal, set) : null;
   const all: [id: string, make: (() => Made) | null][] = [
-    ["omega", () => omega(motion)],
-    ["omega-principal", isAlongBody(principal.quaternion) ? null : () => omegaAlongPrincipal(motion, principal.quaternion)],
+    ["omega", () => omega(motion, along)],
     ["pointing", motion.pointings.length > 0 ? () => pointing(motion) : null],
     ...(motion.contact ? contactFigures(motion, motion.contact).map((figure): [string, () => Made] => [figure.id, () => figure]) : []),
-    ["energy", motion.contact ? null : () => (free ? shares(motion, principal) : energy(motion))],
-    ["momentum", () => (free ? momentumInBody(motion, principal.quaternion) : momentumInSpace(motion))],
-    ["torque", motion.torque === null ? null : torque(motion, motion.torque)],
+    ["energy", motion.contact ? null : (parts ?? (() => energy(motion)))],
+    ["momentum", () => momentum(motion, along, free)],
+    ["torque", motion.torque === null ? null : torque(motion, motion.torque, along)],
     ["wheels", motion.wheels.length > 0 ? () => wheelMomenta(motion) : null],
     ["wheel-speeds", motion.wheels.some(({ speed }) => speed) ? () => wheelSpeeds(motion) : null],
     ["angles", () => angles(motion)],
@@ -54,6 +57,12 @@ interface Principal {
   quaternion: Quaternion;
 }
 
+/** Axes along which the components of vectors are drawn. */
+interface Along {
+  set: AxisSet;
+  principal: Quaternion;
+}
+
 function completed(figure: Made, motion: Motion): Figure {
   // Drifts are on a logarithmic scale, and angles do not diverge.
   const telling = figure.log || figure.id === "angles" ? motion.count : motion.telling;
@@ -62,24 +71,9 @@ function completed(figure: Made, motion: Motion): Figure {
   return { nothing: ROUNDING * Math.max(-low, high), ...figure, telling, aliased: motion.aliased, ...(ranAway ? { note: ranAway } : {}) };
 }
 
-function omega(motion: Motion): Made {
-  const lines = vector(motion, motion.omega, ["ωx", "ωy", "ωz"], "|ω|");
-  return { ...plain, id: "omega", title: "Angular velocity, body axes", quantity: "ω", unit: "rad/s", lines };
-}
-
-/**
- * Returns true if the principal axes are along the body axes. Lines along both would then be the
- * same.
- */
-function isAlongBody(principal: Quaternion): boolean {
-  const axes = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as Vector[]).map((axis) => rotate(principal, axis));
-  return axes.every((axis) => Math.max(...axis.map(Math.abs)) > 1 - 1e-12);
-}
-
-function omegaAlongPrincipal(motion: Motion, principal: Quaternion): Made {
-  const rows = rotated(motion.omega, inverse(principal));
-  const lines = vector(motion, rows, ["ω₁", "ω₂", "ω₃"]);
-  return { ...plain, id: "omega-principal", title: "Angular velocity, principal axes", quantity: "ω", unit: "rad/s", lines };
+function omega(motion: Motion, along: Along): Made {
+  const lines = vector(motion, motion.omega, "body", along, "ω", { symbol: "|ω|", ink: "quiet" });
+  return { ...plain, id: "omega", title: titled("Angular velocity", along), quantity: "ω", unit: "rad/s", lines };
 }
 
 function pointing({ pointings }: Motion): Made {
@@ -104,37 +98,49 @@ function energy(motion: Motion): Made {
   return { ...plain, id: "energy", title: "Energy", quantity: "energy", unit: "J", lines };
 }
 
-/** Returns the terms ½ iₖ ωₖ² of the kinetic energy along the principal axes. */
-function shares(motion: Motion, { moments, quaternion }: { moments: number[]; quaternion: Quaternion }): Made {
-  const rows = rotated(motion.omega, inverse(quaternion));
-  const lines: Line[] = ["½i₁ω₁²", "½i₂ω₂²", "½i₃ω₃²"].map((symbol, k) => {
-    const values = column(rows, k).map((w) => 0.5 * moments[k] * w * w);
-    return { symbol, label: symbol, ink: AXES[k], values };
-  });
-  lines.push({ symbol: "T", label: "T", ink: "omega", values: motion.kinetic, dash: [4, 4], ...balance(motion, "T") });
-  return { ...plain, id: "energy", title: "Kinetic energy, principal axes", quantity: "energy", unit: "J", lines };
-}
-
-function momentumInSpace(motion: Motion): Made {
-  const size = { symbol: "|L|", label: "|L|", ink: "ink", values: lengths(motion.momentum), ...balance(motion, "|L|") };
-  const lines = [size, ...vector(motion, motion.momentum, ["LX", "LY", "LZ"]).map((line) => ({ ...line, dash: [6, 3] }))];
-  const title = `Angular momentum${motion.wheels.length > 0 ? ", wheels included" : ", space axes"}`;
-  return { ...plain, id: "momentum", title, quantity: "L", unit: "kg·m²/s", lines };
-}
-
-/** Returns L in the body. For a free body, L is constant in space, but moves in the body. */
-function momentumInBody(motion: Motion, principal: Quaternion): Made {
-  const body = rotated(motion.momentum, inverses(motion.attitude));
-  const lines = vector(motion, rotated(body, inverse(principal)), ["L₁", "L₂", "L₃"]);
-  lines.push({ symbol: "|L|", label: "|L|", ink: "ink", values: lengths(motion.momentum), dash: [4, 4], ...balance(motion, "|L|") });
-  return { ...plain, id: "momentum", title: "Angular momentum, principal axes", quantity: "L", unit: "kg·m²/s", lines };
-}
-
-function torque(motion: Motion, rows: Float64Array): () => Made {
+/**
+ * Returns the figure of the terms ½ iₖ ωₖ² of the kinetic energy; null along body axes that are not
+ * principal axes.
+ */
+function shares(motion: Motion, { moments, quaternion }: Principal, set: "body" | "principal"): (() => Made) | null {
+  const order = set === "body" ? alongBody(quaternion) : [0, 1, 2];
+  if (order === null) return null;
   return () => {
-    const lines = vector(motion, rows, ["Nx", "Ny", "Nz"], "|N|");
-    return { ...plain, id: "torque", title: "Torque, body axes", quantity: "N", unit: "N·m", lines };
+    const { subscripts, dash, title } = AXIS_SETS[set];
+    const rows = components(motion, motion.omega, "body", set, quaternion);
+    const letter = set === "body" ? "I" : "i";
+    const lines: Line[] = subscripts.map((subscript, k) => {
+      const symbol = `½${letter}${subscript}ω${subscript}²`;
+      const values = column(rows, k).map((w) => 0.5 * moments[order[k]] * w * w);
+      return { symbol, label: symbol, ink: AXES[k], values, ...(dash ? { dash } : {}) };
+    });
+    lines.push({ symbol: "T", label: "T", ink: "omega", values: motion.kinetic, dash: [4, 4], ...balance(motion, "T") });
+    return { ...plain, id: "energy", title: `Kinetic energy, ${title}`, quantity: "energy", unit: "J", lines };
   };
+}
+
+/** For a body that is not free, the constant components in space are stated whatever the axes. */
+function momentum(motion: Motion, along: Along, free: boolean): Made {
+  const size = { symbol: "|L|", ink: "ink", ...balance(motion, "|L|") };
+  const lines = vector(motion, motion.momentum, "space", along, "L", size, true);
+  const made = { ...plain, id: "momentum", quantity: "L", unit: "kg·m²/s", lines };
+  const nothing = ROUNDING * largest(lengths(motion.momentum), motion.telling);
+  if (!free && along.set !== "space") {
+    const inSpace = vector(motion, motion.momentum, "space", { ...along, set: "space" }, "L");
+    lines.push(...inSpace.filter((line) => (constantOf(line, { log: false, nothing, telling: motion.telling })?.value ?? 0) !== 0));
+  }
+  return { ...made, title: titled(`Angular momentum${motion.wheels.length > 0 ? ", wheels included" : ""}`, along) };
+}
+
+function torque(motion: Motion, rows: Float64Array, along: Along): () => Made {
+  return () => {
+    const lines = vector(motion, rows, "body", along, "N", { symbol: "|N|", ink: "quiet" });
+    return { ...plain, id: "torque", title: titled("Torque", along), quantity: "N", unit: "N·m", lines };
+  };
+}
+
+function titled(quantity: string, { set }: Along): string {
+  return `${quantity}, ${AXIS_SETS[set].title}`;
 }
 
 function wheelMomenta({ wheels }: Motion): Made {
@@ -175,20 +181,41 @@ function attitudeError(motion: Motion): Made {
 const plain = { log: false };
 
 /** Returns the style of the k-th of lines without a style of their own: twelve different ones. */
-function look(k: number): Pick<Line, "ink" | "dash"> {
+export function look(k: number): Pick<Line, "ink" | "dash"> {
   const inks = [...AXES, "omega", "torque", "ink"];
   const dashed = (k + Math.floor(k / inks.length)) % 2 === 1;
   return { ink: inks[k % inks.length], ...(dashed ? { dash: [6, 3] } : {}) };
 }
 
-/** Returns three components, and the magnitude unless it equals one of the components. */
-function vector({ telling }: Motion, rows: Float64Array, symbols: string[], size?: string): Line[] {
-  const lines: Line[] = symbols.map((symbol, k) => ({ symbol, label: symbol, ink: AXES[k], values: column(rows, k) }));
-  const all = lengths(rows);
-  const nothing = ROUNDING * all.subarray(0, telling).reduce((most, v) => Math.max(most, v), 0);
-  const moving = lines.filter(({ values }) => values.subarray(0, telling).some((v) => Math.abs(v) > nothing));
-  if (size && moving.length > 1) lines.push({ symbol: size, label: size, ink: "quiet", values: all, dash: [4, 4] });
+/**
+ * Returns three components along a set of axes, and the magnitude unless it equals one of the
+ * components, or always.
+ */
+function vector(
+  motion: Motion,
+  given: Float64Array,
+  givenAlong: "body" | "space",
+  { set, principal }: Along,
+  letter: string,
+  size?: Pick<Line, "symbol" | "ink" | "drift">,
+  always = false,
+): Line[] {
+  const rows = components(motion, given, givenAlong, set, principal);
+  const { subscripts, dash } = AXIS_SETS[set];
+  const lines: Line[] = subscripts.map((subscript, k) => {
+    const symbol = letter + subscript;
+    return { symbol, label: symbol, ink: AXES[k], values: column(rows, k), ...(dash ? { dash } : {}) };
+  });
+  if (!size) return lines;
+  const all = lengths(given);
+  const nothing = ROUNDING * largest(all, motion.telling);
+  const moving = lines.filter(({ values }) => values.subarray(0, motion.telling).some((v) => Math.abs(v) > nothing));
+  if (always || moving.length > 1) lines.push({ label: size.symbol, values: all, dash: [4, 4], ...size });
   return lines;
+}
+
+function largest(values: Float64Array, count: number): number {
+  return values.subarray(0, count).reduce((most, v) => Math.max(most, v), 0);
 }
 
 /** Returns the largest error of the balance with this name. */
@@ -199,18 +226,6 @@ function balance(motion: Motion, wanted: string): { drift?: number } {
 
 function samples(count: number): string {
   return count === 1 ? "sample" : `${count} samples`;
-}
-
-/** Rotates rows of three, all by one rotation or each by its own. */
-function rotated(rows: Float64Array, by: ArrayLike<number>): Float64Array {
-  const out = new Float64Array(rows.length);
-  const step = by.length === 4 ? 0 : 4;
-  for (let i = 0; 3 * i < rows.length; i += 1) writeRotated(by, step * i, rows, 3 * i, out, 3 * i);
-  return out;
-}
-
-function inverses(attitudes: Float64Array): Float64Array {
-  return attitudes.map((c, i) => (i % 4 === 0 ? c : -c));
 }
 
 function column(rows: Float64Array, k: number): Float64Array {

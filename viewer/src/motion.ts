@@ -7,7 +7,7 @@ import type { MotionData, Row } from "./data";
 import { between, makeContinuous, type Quaternion, rotate, type Vector, writeRotated } from "./attitude";
 import { indexAt } from "./clock";
 import { Contact } from "./contact";
-import { BadData, f64 } from "./decode";
+import { BadData, f32, f64 } from "./decode";
 
 export interface Moment {
   attitude: Quaternion;
@@ -44,7 +44,9 @@ export class Motion {
   readonly work: { name: string; values: Float64Array } | null;
   readonly drift: { name: string; values: Float64Array }[];
   readonly wheels: { name: string; axis: Vector; momentum: Float64Array; speed: Float64Array | null; motor: Float64Array | null }[];
-  readonly pointings: { name: string; values: Float64Array }[];
+  readonly pointings: { name: string; body: Vector; limit: number | null; values: Float64Array }[];
+  /** Directions of space: unit vectors at the samples, or one that is fixed. */
+  readonly directions: { name: string; values: ArrayLike<number> }[];
   readonly events: { time: number; name: string }[];
   /** Number of all events; greater than the length of `events` if these are thinned. */
   readonly eventCount: number;
@@ -77,7 +79,12 @@ export class Motion {
     };
     this.work = data.work === null ? null : named(data.work);
     this.drift = data.drift.map(named);
-    this.pointings = data.pointings.map(named);
+    this.pointings = data.pointings.map(({ body, limit, ...line }) => ({ ...named(line), body, limit }));
+    this.directions = data.directions.map(({ name, fixed, values }) => {
+      const row = fixed ?? f32(values ?? "", name);
+      if (row.length !== 3 && row.length !== 3 * n) throw new BadData(`${name}: ${row.length} numbers, not ${3 * n}`);
+      return { name, values: row };
+    });
     this.wheels = data.wheels.map(({ name, axis, momentum, speed, motor }) => ({
       name,
       axis,
@@ -151,6 +158,16 @@ export class Motion {
     const { i, j, part } = this.#place(time);
     const step = this.times[j] - this.times[i];
     return between(this.attitudeOf(i), at(this.omega, i), this.attitudeOf(j), at(this.omega, j), step, part);
+  }
+
+  /** Returns the k-th of the directions at a time, a unit vector. */
+  directionAt(k: number, time: number): Vector {
+    const { values } = this.directions[k];
+    const { i, j, part } = this.#place(time);
+    if (values.length === 3) return [values[0], values[1], values[2]];
+    const v = [0, 1, 2].map((c) => (1 - part) * values[3 * i + c] + part * values[3 * j + c]) as Vector;
+    const size = length(v) || 1;
+    return [v[0] / size, v[1] / size, v[2] / size];
   }
 
   // Returns the samples on both sides of a time, and the fraction between them.

@@ -129,3 +129,30 @@ test("a turntable turns under its path in space", async () => {
   assert.deepEqual(problems, []);
   await close();
 });
+
+test("the floor fades before the frame ends", async () => {
+  const { page, problems, close } = await open(browser, "floor", sliding());
+  for (const viewport of [{ width: 1024, height: 768 }, { width: 390, height: 844 }]) {
+    await page.setViewportSize(viewport);
+    const beyond = await page.evaluate(() => {
+      const { view } = window.polhode;
+      const { clientWidth, clientHeight } = document.querySelector("#canvas");
+      const found = [];
+      for (const [turn, rise] of [[0, 0], [1.3, 0.2], [2.2, -0.15]]) {
+        view.orbit.turn(turn, rise);
+        view.render();
+        const [floor] = view.layers.find(({ id }) => id === "ground").objects;
+        const { position, color } = floor.children[0].geometry.attributes;
+        for (let k = 0; k < position.count; k += 1) {
+          if (color.getW(k) < 0.37) continue;
+          const [x, y] = view.project(view.orbit.target.clone().fromBufferAttribute(position, k));
+          if (x < -1 || y < -1 || x > clientWidth + 1 || y > clientHeight + 1) found.push([x, y, color.getW(k)]);
+        }
+      }
+      return found;
+    });
+    assert.deepEqual(beyond, [], "only its faint edge is beyond the frame");
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});

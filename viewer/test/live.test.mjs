@@ -129,6 +129,39 @@ test("a slider by its other keys: a large step, the ends; every change is seen i
   await close();
 });
 
+test("a knob: Shift moves it ten times finer, and a double click opens its number without a change", async () => {
+  const { page, problems, close } = await open();
+  const one = knob(page, SPIN);
+  const value = async () => Number.parseFloat(await one.locator(".knob-value").inputValue());
+  assert.deepEqual(await one.locator(".knob-range span").allInnerTexts(), ["−9", "9"]);
+  const box = await one.locator("input[type=range]").boundingBox();
+  const y = box.y + box.height / 2;
+  // The thumb, 16 px wide, goes from end to end of the track: from −9 to 9 rad/s.
+  const unit = (box.width - 16) / 18;
+  const x = box.x + 8 + 15 * unit;
+  await page.mouse.move(x + 3, y);
+  await page.mouse.down();
+  near(await value(), 6, 1e-12, "a press on the thumb moves nothing");
+  await page.keyboard.down("Shift");
+  await page.mouse.move(x + 3 - 2 * unit, y, { steps: 5 });
+  near(await value(), 5.8, 0.01, "with Shift");
+  await page.keyboard.up("Shift");
+  await page.mouse.move(x + 3 - 4 * unit, y, { steps: 5 });
+  near(await value(), 3.8, 0.03, "without");
+  await page.mouse.up();
+  const [last] = [await value()];
+  await page.mouse.dblclick(box.x + 8 + 4 * unit, y);
+  assert.equal(await value(), last);
+  assert.ok(await one.locator(".knob-value").evaluate((field) => field === document.activeElement));
+  await page.keyboard.type("2.5");
+  await page.keyboard.press("Enter");
+  await shows(page, '"2.5 rad/s"');
+  await page.click("#actions >> text=Reset");
+  await shows(page, '"6 rad/s"');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("a drag shows motions on the way, and is one step", async () => {
   const { page, problems, close } = await open();
   const first = await text(page);
@@ -461,12 +494,20 @@ test("what the person has set stays when the motion changes; nothing piles up", 
   await close();
 });
 
-for (const [name, width, height, scheme] of [["projector", 1024, 768, "light"], ["phone", 390, 844, "dark"]]) {
+for (const [name, width, height, scheme] of [["desk", 1440, 900, "dark"], ["projector", 1024, 768, "light"], ["phone", 390, 844, "dark"]]) {
   test(`${name}: all of it has room, and every control a name`, async () => {
     const { page, problems, close } = await open({ viewport: { width, height }, colorScheme: scheme });
     const stage = await page.locator("#stage").boundingBox();
     assert.ok(stage.height >= 0.36 * height, `the scene is ${stage.height} high`);
-    assert.ok((await page.locator("#knobs > .knob-grid .knob").count()) <= 7);
+    const knobs = await page.locator("#knobs > .knob-grid .knob").evaluateAll((all) => all.map((one) => one.getBoundingClientRect().bottom));
+    assert.ok(knobs.length >= 4 && knobs.length <= 7, `${knobs.length} knobs`);
+    const transport = await page.locator(".transport").boundingBox();
+    assert.ok(knobs.every((bottom) => bottom <= (width > 820 ? height : transport.y)), `on the first screen: ${knobs}`);
+    const tracks = await page.locator("#knobs > .knob-grid input[type=range]").evaluateAll((all) => all.map((one) => one.getBoundingClientRect().width));
+    assert.ok(tracks.every((wide) => wide >= 160), `${tracks}`);
+    const bar = await page.locator(width > 820 ? ".bar > :not(.space), #tabs button" : ".bar > :not(.space, .segments)").evaluateAll((all) => all.map((one) => one.getBoundingClientRect()));
+    assert.ok(bar.every(({ right }) => right <= width), "tools and tabs fit");
+    assert.ok(bar.slice(0, 5).every(({ top, bottom }) => Math.abs(top + bottom - bar[0].top - bar[0].bottom) < 4), "tools are in one row");
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true, "nothing is cut off at the right");
     for (const id of ["photograph", "home", "throw"]) {
       const box = await page.locator(`#${id}`).boundingBox();

@@ -1,6 +1,8 @@
 // What needs no browser: the clock, attitudes, numbers, figures.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { Quaternion, Vector3 } from "three";
 import { load } from "./load.mjs";
 import { integrate, rotate, samples, tensor } from "./sample.mjs";
 
@@ -15,6 +17,9 @@ const { curve, largestSoFar } = await load("plot/curve.ts");
 const { labels, marked, marksOf } = await load("plot/events.ts");
 const { Motion } = await load("motion.ts");
 const { directions, Farthest } = await load("scene/framing.ts");
+const { inksOf, PARTS } = await load("scene/body.ts");
+const { enclosing } = await load("scene/inside.ts");
+const { Shadow } = await load("scene/shadow.ts");
 const { svgOf } = await load("plot/figure-svg.ts");
 const { f64, indices, readPage } = await load("decode.ts");
 const { motionAnswer } = await load("live/motion-answer.ts");
@@ -269,6 +274,15 @@ test("no line is squashed: lines of other sizes have plots of their own", () => 
   assert.equal(arrange(figure([line("ψ", (s) => 27000 * s)], { unit: "°" })).stacks[0].title, "ψ (turns)");
 });
 
+const near = (a, b, by, what) => assert.ok(Math.abs(a - b) <= by, `${what}: ${a}, not ${b}`);
+
+/** The height of an edge at x. */
+function level(edge, x) {
+  const k = Math.max(edge.findIndex(([at]) => at > x), 1);
+  const [[x0, y0], [x1, y1]] = [edge[k - 1], edge[k]];
+  return x1 > x0 ? y0 + ((y1 - y0) * (x - x0)) / (x1 - x0) : y1;
+}
+
 test("stripes are drawn as an envelope, and zooming in brings the line back", () => {
   const count = 4000;
   // An oscillation whose size swells: 160 turns.
@@ -281,8 +295,10 @@ test("stripes are drawn as an envelope, and zooming in brings the line back", ()
   const [{ first, last, low, high, resolved }] = spans;
   assert.deepEqual([first, last, resolved], [0, count - 1, true]);
   for (const [edge, sense] of [[low, -1], [high, 1]]) {
-    assert.ok(edge.length > 155 && edge[0][0] === 0 && edge.at(-1)[0] > 399);
+    assert.ok(edge.length > 20 && edge[0][0] === 0 && edge.at(-1)[0] > 399);
     for (const [x, y] of edge.slice(1, -1)) assert.ok(Math.abs(sense * (y - 100) - size(x / 400)) < 0.2, `${x} ${y}`);
+    // Between its points, too: it has an extremum in each half turn.
+    for (let k = 4; k < 156; k += 1) near(sense * (level(edge, 2.5 * k) - 100), size(k / 160), 0.7, `at ${2.5 * k}`);
   }
   assert.deepEqual(envelopes(places(4000), y), [], "with room it is the line");
   const drawn = curve(places(400), y);
@@ -292,6 +308,15 @@ test("stripes are drawn as an envelope, and zooming in brings the line back", ()
   const coarse = Float64Array.from({ length: count }, (_, i) => 100 + 30 * Math.sin(2.7 * i));
   const missed = envelopes(places(40000), coarse);
   assert.deepEqual([missed.length, missed[0].resolved], [1, false]);
+  const [{ low: bottom, high: top }] = envelopes(places(400), coarse);
+  for (let x = 5; x < 395; x += 1) [bottom, top].forEach((edge, k) => near(level(edge, x), k === 0 ? 70 : 130, 0.5, `at ${x}`));
+  // Of two frequencies the edges are those of the sum, without teeth, and nothing is beyond them.
+  const beat = Float64Array.from({ length: count }, (_, i) => 100 + 20 * Math.sin(0.5 * i) + 9 * Math.sin(0.19 * i + 1));
+  const [{ low: lower, high: upper }] = envelopes(places(400), beat);
+  for (const [edge, sense] of [[lower, -1], [upper, 1]]) {
+    places(400).forEach((x, i) => assert.ok(sense * (level(edge, x) - beat[i]) > -0.02, `sample ${i}`));
+    for (let x = 20; x < 380; x += 1) near(sense * (level(edge, x) - 100), 29, 0.6, `at ${x}`);
+  }
   // One part may be dense, the other not; a break belongs to neither.
   const chirp = Float64Array.from({ length: count }, (_, i) => 100 + 30 * Math.sin(3e-5 * (i - count) ** 2));
   const parts = curve(places(400), chirp);
@@ -301,6 +326,69 @@ test("stripes are drawn as an envelope, and zooming in brings the line back", ()
   starts[2000] = 1;
   assert.deepEqual(envelopes(places(400), y, starts).map(({ first, last }) => [first, last]), [[0, 1999], [2000, count - 1]]);
   assert.deepEqual(extrema([0, 3, 1, 1.5, 0.9, 5, 5.2, 2], 0, 7, 1), [0, 1, 4, 6]);
+});
+
+test("a line of a tenth of another's range has an axis of its own, and readings have units", () => {
+  const [camera, panel] = [line("camera", (s) => 8 + 8 * Math.sin(5 * s)), line("panel", (s) => 90 + 80 * Math.sin(4 * s))];
+  const { stacks } = arrange(figure([camera, panel], { unit: "°" }));
+  assert.deepEqual(stacks.map(({ title, readingUnit }) => [title, readingUnit]), [["camera (°)", "°"], ["panel (°)", "°"]]);
+  const momentum = arrange(figure([line("L", (s) => 3e-4 * Math.sin(6 * s))], { unit: "kg·m²/s" }));
+  assert.equal(momentum.stacks[0].readingUnit, "×10⁻⁶ kg·m²/s");
+  assert.equal(arrange(figure([line("F", (s) => 0.02 + 0.01 * Math.sin(6 * s))], { unit: "N" })).stacks[0].readingUnit, "mN");
+  assert.equal(arrange(figure([line("T", (s) => 1e-15 * s)], { log: true, unit: "relative" })).stacks[0].readingUnit, "");
+});
+
+test("parts of one name have one colour, each with contrast to the page, in both themes", () => {
+  const inks = inksOf(["bus", "panel, left", "panel, right", "tank 1", "tank 2", "boom"].map((name) => ({ name })));
+  assert.deepEqual(inks, ["part-1", "part-2", "part-2", "part-3", "part-3", "part-4"]);
+  const css = readFileSync(new URL("../src/theme.css", import.meta.url), "utf8");
+  const blocks = css.split("--paper:").slice(1).map((block) => `--paper:${block.split("}")[0]}`);
+  assert.equal(blocks.length, 3);
+  const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+  for (const block of blocks) {
+    const rgb = (name) => new RegExp(`--${name}: #([0-9a-f]{6});`).exec(block)[1].match(/../g).map((c) => parseInt(c, 16));
+    const luminance = (name) => rgb(name).reduce((sum, c, k) => sum + [0.2126, 0.7152, 0.0722][k] * linear(c / 255), 0);
+    const parts = PARTS.map((part) => ({ part, rgb: rgb(part) }));
+    for (const { part, rgb: a } of parts) {
+      const [low, high] = [luminance(part), luminance("paper")].sort((p, q) => p - q);
+      assert.ok((high + 0.05) / (low + 0.05) > 2, `${part} on paper`);
+      for (const other of parts) if (other.part > part) assert.ok(Math.hypot(...a.map((c, k) => c - other.rgb[k])) > 25, `${part} and ${other.part}`);
+    }
+  }
+});
+
+test("a solid with a part inside is transparent", () => {
+  const unit = [Math.cos(0.3), 0, Math.sin(0.3), 0];
+  const cube = (position, size) => ({ kind: "box", name: "", position, quaternion: unit, size: [size, size, size] });
+  // Corners of a cube that stands upright.
+  const corners = ([x, y, z], size) => Float64Array.from({ length: 24 }, (_, k) => [x, y, z][k % 3] + ((Math.floor(k / 3) >> (k % 3)) & 1 ? 0.5 : -0.5) * size);
+  const shapes = [cube([1, 2, 3], 2), cube([1.1, 2.1, 3], 0.5), cube([2, 2, 3], 0.5)];
+  const inside = (third) => enclosing(shapes, [corners([1, 2, 3], 2), corners([1.1, 2.1, 3], 0.5), third]);
+  assert.deepEqual(inside(corners([2, 2, 3], 0.5)), [true, false, false]);
+  assert.deepEqual(enclosing(shapes.slice(1), [corners([1.1, 2.1, 3], 0.5), corners([2, 2, 3], 0.5)]), [false, false], "neither is in the other");
+});
+
+test("the shadow lies on the floor below the body, along its outline", () => {
+  const bound = { shared: (_, __, make) => make() };
+  const normal = new Vector3(0.2, -0.1, 1).normalize();
+  // A rod of length 2 and thickness 0.2, inclined, its middle at (0.4, 0.3, 0.9).
+  const outline = Array.from({ length: 200 }, (_, k) => new Vector3(-1 + k / 99.5, 0.1 * Math.cos(k), 0.1 * Math.sin(k)));
+  const turn = new Quaternion().setFromAxisAngle(new Vector3(0.3, -0.4, 0.86).normalize(), 0.8);
+  const middle = new Vector3(0.4, 0.3, 0.9);
+  const shadow = new Shadow(normal, outline, bound);
+  shadow.pose((p) => p.clone().applyQuaternion(turn).add(middle));
+  const [a, b, n] = [new Vector3(), new Vector3(), new Vector3()];
+  shadow.object.matrix.extractBasis(a, b, n);
+  const center = new Vector3().setFromMatrixPosition(shadow.object.matrix);
+  near(center.dot(normal), 0.003, 1e-9, "on the floor");
+  const below = middle.clone().addScaledVector(normal, -middle.dot(normal));
+  assert.ok(center.distanceTo(below) < 0.03, "below the middle");
+  const along = new Vector3(1, 0, 0).applyQuaternion(turn);
+  const flat = along.clone().addScaledVector(normal, -along.dot(normal));
+  const long = a.length() > b.length() ? a : b;
+  near(Math.abs(long.clone().normalize().dot(flat.clone().normalize())), 1, 1e-3, "along the rod");
+  assert.ok(a.length() + b.length() > 1.2 * flat.length() && Math.min(a.length(), b.length()) < 0.3);
+  assert.ok(n.distanceTo(normal) < 1e-12);
 });
 
 test("the largest so far rises in steps over the dots", () => {
@@ -337,7 +425,7 @@ test("no figure has an empty range, and files hold the same as the screen", () =
   }
 });
 
-test("a free body's T and |L| are constants, its parts along the principal axes are drawn", () => {
+test("a free body's T and |L| are constants, its parts along the axes are drawn", () => {
   const made = samples.free();
   const motion = new Motion(made.motion);
   const [energy, momentum] = ["energy", "momentum"].map((id) => figuresOf(motion, principal(made)).find((f) => f.id === id));
@@ -356,15 +444,33 @@ test("a free body's T and |L| are constants, its parts along the principal axes 
   }
 });
 
-test("where the principal axes are not the body's, ω is drawn along both", () => {
+test("vectors are drawn along the body axes, or along one other set with marks of its own", () => {
+  const i = 611;
+  const quaternion = [0.8, 0.36, -0.48, 0];
+  for (const make of [samples.free, samples.heavy]) {
+    const made = make();
+    const motion = new Motion(made.motion);
+    const attitude = motion.attitudeOf(i);
+    const lines = (set, id) => figuresOf(motion, { ...principal(made), quaternion }, set).find((f) => f.id === id).lines.slice(0, 3);
+    const at = (set, id) => lines(set, id).map(({ values }) => values[i]);
+    const same = (a, b) => a.forEach((x, k) => near(x, b[k], 1e-12 * Math.hypot(...b), "component"));
+    const omega = [...motion.omega.subarray(3 * i, 3 * i + 3)];
+    const momentum = [...motion.momentum.subarray(3 * i, 3 * i + 3)];
+    same(at("body", "omega"), omega);
+    same(rotate(quaternion, at("principal", "omega")), omega);
+    same(at("space", "omega"), rotate(attitude, omega));
+    same(rotate(attitude, at("body", "momentum")), momentum);
+    same(rotate(attitude, rotate(quaternion, at("principal", "momentum"))), momentum);
+    const styles = ["body", "principal", "space"].map((set) => lines(set, "omega").map(({ symbol, ink, dash }) => [symbol, ink, String(dash)]));
+    assert.deepEqual(styles[0].map(([symbol]) => symbol), ["ωx", "ωy", "ωz"]);
+    assert.equal(new Set(styles.map(([[, , dash]]) => dash)).size, 3, "a dash of its own for each set");
+  }
   const made = samples.free();
   const motion = new Motion(made.motion);
-  const quaternion = [0.8, 0.36, -0.48, 0];
-  const figure = figuresOf(motion, { ...principal(made), quaternion }).find(({ id }) => id === "omega-principal");
-  const i = 611;
-  const back = rotate(quaternion, figure.lines.map(({ values }) => values[i]));
-  back.forEach((w, k) => assert.ok(Math.abs(w - motion.omega[3 * i + k]) < 1e-12));
-  assert.ok(!figuresOf(motion, principal(made)).some(({ id }) => id === "omega-principal"), "axes in another order are the same");
+  const symbols = (set, body = principal(made)) => figuresOf(motion, body, set).find(({ id }) => id === "energy").lines.map(({ symbol }) => symbol);
+  assert.deepEqual(symbols("body"), ["½Ixωx²", "½Iyωy²", "½Izωz²", "T"], "the principal axes are the body axes in another order");
+  assert.deepEqual(symbols("body", { ...principal(made), quaternion }), ["T"]);
+  assert.deepEqual(symbols("principal"), ["½i₁ω₁²", "½i₂ω₂²", "½i₃ω₃²", "T"]);
 });
 
 test("what is rounding is nothing, and where angles do not exist their sum is drawn", () => {
@@ -373,7 +479,7 @@ test("what is rounding is nothing, and where angles do not exist their sum is dr
   const figures = figuresOf(motion, principal(made));
   assert.deepEqual(figures.map(({ id }) => id), ["omega", "pointing", "energy", "momentum", "wheels", "wheel-speeds", "angles", "drift"]);
   const [momentum, angles, pointing] = ["momentum", "angles", "pointing"].map((id) => figures.find((f) => f.id === id));
-  assert.deepEqual(sentences(arrange(momentum).constants, momentum), ["|L| = LX = LY = LZ = 0"]);
+  assert.deepEqual(sentences(arrange(momentum).constants, momentum), ["Lx = Ly = Lz = |L| = 0"]);
   const omega = figures[0];
   assert.deepEqual(omega.lines.map(({ label }) => label), ["ωx", "ωy", "ωz"], "|ω| is that of ωz");
   const svg = svgOf(omega, arrange(omega), motion.times, 0, 60, marked(motion.events));

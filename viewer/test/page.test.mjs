@@ -314,6 +314,7 @@ test("the plots read values, set the time and follow it", async () => {
   const i = Math.round(0.3 * 2000);
   const near = Array.from({ length: 9 }, (_, k) => omega[3 * (i + k - 4)]);
   const read = Number(await reading());
+  assert.equal(await page.locator("#plot-omega .key .unit").first().textContent(), "rad/s");
   assert.ok(read > Math.min(...near) - 0.01 && read < Math.max(...near) + 0.01, `${read} of ${near}`);
   assert.equal(await time(page), 0, "pointing does not move the time");
   await page.mouse.click(x, y);
@@ -330,6 +331,30 @@ test("the plots read values, set the time and follow it", async () => {
   await page.mouse.up();
   await page.evaluate(() => window.polhode.clock.set(6));
   assert.ok(Math.abs((await left("drift")) - (box.x + 0.5 * box.width)) < 12, "zoomed to 4 … 8 s, all plots alike");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("plots have one set of axes, chosen above them; principal axes in the view are dashed", async () => {
+  const { page, problems, close } = await open(browser, "axis-sets", samples.free());
+  const titles = () => page.locator("#panel-plots h3").allInnerTexts();
+  const along = (set) => [`Angular velocity, ${set}`, set === "space axes" ? "Energy" : `Kinetic energy, ${set}`, `Angular momentum, ${set}`];
+  assert.deepEqual((await titles()).slice(0, 3), along("body axes"));
+  for (const [value, set] of [["principal", "principal axes"], ["space", "space axes"], ["body", "body axes"]]) {
+    await page.selectOption("#axis-set", value);
+    await page.waitForFunction((title) => document.querySelector("#plot-omega h3").textContent === title, along(set)[0]);
+    await page.locator("#plot-momentum").scrollIntoViewIfNeeded();
+    await page.waitForFunction((title) => document.querySelector("#plot-momentum h3").textContent === title, along(set)[2]);
+    assert.deepEqual((await titles()).slice(0, 3), along(set));
+  }
+  const shafts = await page.evaluate(() =>
+    ["body-axes", "principal-axes"].map((id) => {
+      const kinds = new Set();
+      window.polhode.view.layers.find((layer) => layer.id === id).objects[0].traverse(({ geometry }) => geometry && kinds.add(geometry.type));
+      return [...kinds].sort().join();
+    }),
+  );
+  assert.deepEqual(shafts, ["ConeGeometry,CylinderGeometry", "ConeGeometry,LatheGeometry"]);
   assert.deepEqual(problems, []);
   await close();
 });
@@ -528,6 +553,54 @@ test("each picture has its line and its names, and nothing that one can press is
   }
 });
 
+test("the momentum sphere is round, arrows begin on it, and its separatrix is named on its line", async () => {
+  const { page, problems, close } = await open(browser, "round", samples.free());
+  await page.click("[data-picture=sphere]");
+  const found = await page.evaluate(() => {
+    const { view } = window.polhode;
+    view.render();
+    const label = view.labels.placed.find(({ text }) => text === "separatrix");
+    const distance = Math.min(...label.along.map((p) => Math.hypot(...view.project(p).map((c, k) => c - [label.x, label.y][k]))));
+    for (const id of ["principal-axes", "momentum", "mark"]) view.toggle(view.layers.find((one) => one.id === id));
+    view.render();
+    // Where rays from the middle of the sphere leave the ink.
+    const drawn = document.querySelector("#canvas");
+    const picture = document.createElement("canvas");
+    [picture.width, picture.height] = [drawn.width, drawn.height];
+    picture.getContext("2d").drawImage(drawn, 0, 0);
+    const { width, height } = picture;
+    const { data } = picture.getContext("2d").getImageData(0, 0, width, height);
+    const ratio = width / document.querySelector("#canvas").clientWidth;
+    const [x, y] = view.project(view.orbit.target.clone().set(0, 0, 0)).map((c) => c * ratio);
+    const isPaper = (px, py) => data[4 * (Math.round(py) * width + Math.round(px)) + 3] < 8;
+    const radii = Array.from({ length: 360 }, (_, k) => {
+      const [c, s] = [Math.cos((k * Math.PI) / 180), Math.sin((k * Math.PI) / 180)];
+      let r = 50;
+      while (!isPaper(x + r * c, y + r * s)) r += 0.5;
+      return r;
+    });
+    return { distance, radii };
+  });
+  assert.ok(found.distance < 1, `${found.distance} px from its line`);
+  // Seen in perspective off its axis, the sphere is an ellipse: neighbouring radii tell bumps.
+  found.radii.forEach((r, k) => {
+    const mean = (found.radii[(k + 355) % 360] + found.radii[(k + 5) % 360]) / 2;
+    assert.ok(Math.abs(r - mean) < 2, `${r} px at ${k}°, beside ${mean}`);
+  });
+  const feet = await page.evaluate(() => {
+    const { view } = window.polhode;
+    const foot = (id) => {
+      const feet = [];
+      view.layers.find((one) => one.id === id).objects[0].traverse(({ geometry, position }) => /Lathe|Cylinder/.test(geometry?.type) && feet.push(position.y));
+      return Math.min(...feet);
+    };
+    return [foot("momentum"), foot("principal-axes")];
+  });
+  assert.deepEqual(feet, [1, 1]);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("the mark on the momentum sphere is at L/|L|, and L points to it", async () => {
   const data = samples.free();
   const { page, close } = await open(browser, "mark", data);
@@ -545,7 +618,7 @@ test("the mark on the momentum sphere is at L/|L|, and L points to it", async ()
     const l = [...momentum.subarray(3 * i, 3 * i + 3)];
     const size = Math.hypot(...l);
     l.forEach((x, k) => {
-      assert.ok(Math.abs(mark[k] - (1.004 * x) / size) < 1e-6, `${i}: ${mark}`);
+      assert.ok(Math.abs(mark[k] - (1.002 * x) / size) < 1e-6, `${i}: ${mark}`);
       assert.ok(Math.abs(tip[k] - (1.25 * x) / size) < 1e-6, `${i}: ${tip}`);
     });
   }
@@ -604,6 +677,43 @@ test("a heavy top has its circles, the path of its axis, a floor, and gravity at
   }
 });
 
+test("a satellite has the directions of its orbit and the cones of its pointings, and fills the picture", async () => {
+  const data = samples.orbiting();
+  for (const [colorScheme, viewport] of [["light", { width: 1440, height: 900 }], ["dark", { width: 390, height: 844 }]]) {
+    const { page, problems, close } = await open(browser, `sky-${colorScheme}`, data, { colorScheme, viewport });
+    const legend = await page.locator("#legend button").allInnerTexts();
+    for (const name of ["Nadir", "Velocity", "Target of panel", "camera, cone of 43°", "panel"]) assert.ok(legend.includes(name), `${name} of ${legend}`);
+    const phase = 0.05 * 20;
+    const at = (angle) => [Math.cos(angle), 0.6 * Math.sin(angle), 0.8 * Math.sin(angle)].map((c) => 1.5 * c);
+    const found = await page.evaluate(() => {
+      const { clock, view } = window.polhode;
+      const seen = (t) => {
+        clock.set(t);
+        view.render();
+        const cone = view.layers.find(({ id }) => id === "pointing-0").objects[0].children[1];
+        return { color: cone.material.color.getHexString(), tips: Object.fromEntries(view.labels.placed.map(({ text, tip }) => [text, tip.toArray()])) };
+      };
+      const { clientWidth, clientHeight } = document.querySelector("#canvas");
+      const inside = seen(0);
+      const outside = seen(5);
+      const late = seen(20);
+      const spots = view.model.outline.map((p) => view.project(p.clone().applyQuaternion(view.layers.find(({ id }) => id === "body").objects[0].parent.quaternion)));
+      const [xs, ys] = [0, 1].map((k) => spots.map((spot) => spot[k]));
+      const size = Math.max((Math.max(...xs) - Math.min(...xs)) / clientWidth, (Math.max(...ys) - Math.min(...ys)) / clientHeight);
+      return { inside, outside, late, size };
+    });
+    // At t = 0 the camera is 0.7 rad off, at 5 s 0.9 rad; its limit is 0.75.
+    assert.notEqual(found.inside.color, found.outside.color, "the cone that the target has left is marked");
+    for (const [name, wanted] of [["nadir", at(phase + Math.PI).map((c) => (1.7 / 1.5) * c)], ["velocity", at(phase + Math.PI / 2)], ["target of panel", [0.9, 0.96, -0.72]]]) {
+      wanted.forEach((c, k) => assert.ok(Math.abs(found.late.tips[name][k] - c) < 1e-5, `${name}: ${found.late.tips[name]}, not ${wanted}`));
+    }
+    assert.ok(found.size > 0.3, `the body takes ${found.size} of the picture, whatever its tape`);
+    await shoot(page, `sky-${colorScheme}`);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
 test("a wheel has its axis, h, and says when its motor runs", async () => {
   const data = samples.wheeled();
   const { page, problems, close } = await open(browser, "wheel", data);
@@ -653,6 +763,80 @@ test("formulas and letters of the view are set in the font of the page", async (
   }
   await client.detach();
   await close();
+});
+
+test("the dot of a derivative stands above its letter", async () => {
+  const accent = (letter) => `<math><mover accent="true"><mi>${letter}</mi><mi>˙</mi></mover></math>`;
+  const letters = [..."ω𝛚ηT"];
+  const explanation = letters.map((text) => ({ kind: "formula", mathml: accent(text), text }));
+  const { page, problems, close } = await open(browser, "dots", { ...samples.free(), explanation });
+  await page.click("#tab-working");
+  await page.evaluate(() => document.fonts.ready);
+  await page.addStyleTag({ content: ".formula { font-size: 60px; padding: 20px }" });
+  for (const [k, letter] of letters.entries()) {
+    const box = await page.locator("mover").nth(k).boundingBox();
+    const clip = { x: box.x, y: box.y - 10, width: box.width, height: box.height + 20 };
+    const picture = (await page.screenshot({ clip })).toString("base64");
+    // Rows of pixels with ink: the dot, a gap, the letter.
+    const runs = await page.evaluate(async (picture) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${picture}`;
+      await image.decode();
+      const canvas = new OffscreenCanvas(image.width, image.height);
+      const pen = canvas.getContext("2d");
+      pen.drawImage(image, 0, 0);
+      const { data } = pen.getImageData(0, 0, image.width, image.height);
+      const dark = (y) => Array.from({ length: image.width }, (_, x) => data[4 * (y * image.width + x)]).some((red) => red < 128);
+      const rows = Array.from({ length: image.height }, (_, y) => dark(y));
+      return rows.filter((inked, y) => inked && !rows[y - 1]).length;
+    }, picture);
+    assert.equal(runs, 2, letter);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("a presentation has large type, and reveals the answer and the sections of the panel step by step", async () => {
+  for (const viewport of [{ width: 1440, height: 900 }, { width: 1024, height: 768 }]) {
+    const { page, problems, close } = await open(browser, "present", samples.free(), { viewport });
+    const seen = () =>
+      page.evaluate(() => ({
+        caption: document.querySelector("#caption").checkVisibility({ visibilityProperty: true }),
+        plots: [...document.querySelectorAll(".plot")].filter((plot) => plot.checkVisibility({ visibilityProperty: true })).length,
+        full: document.fullscreenElement !== null,
+        size: Number.parseFloat(getComputedStyle(document.querySelector("#caption")).fontSize),
+      }));
+    const all = (await seen()).plots;
+    await page.keyboard.press("p");
+    await page.waitForFunction(() => document.fullscreenElement !== null);
+    const first = await seen();
+    assert.deepEqual([first.caption, first.plots, first.full], [false, 0, true], "the body alone");
+    assert.ok(first.size >= 24, `${first.size} px`);
+    await page.keyboard.press("PageDown");
+    assert.deepEqual([(await seen()).caption, (await seen()).plots], [true, 0], "the answer");
+    for (const plots of [1, 2]) {
+      await page.keyboard.press("PageDown");
+      assert.equal((await seen()).plots, plots);
+    }
+    // Plots are read where they are.
+    const box = await page.locator("#plot-energy .u-over").boundingBox();
+    await page.mouse.click(box.x + 0.4 * box.width, box.y + box.height / 2);
+    assert.ok(Math.abs((await time(page)) - 8) < 0.15, `${await time(page)} s`);
+    const bar = await page.locator(".transport > *").evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect().right));
+    const { right } = await page.locator(".view").evaluate((view) => view.getBoundingClientRect().toJSON());
+    assert.ok(bar.every((end) => end <= right + 1), `${bar} in ${right}`);
+    await shoot(page, `present-${viewport.width}`);
+    await page.keyboard.press("PageUp");
+    assert.equal((await seen()).plots, 1);
+    await page.keyboard.press("p");
+    await page.waitForFunction(() => document.fullscreenElement === null && !document.body.classList.contains("presenting"));
+    assert.deepEqual([(await seen()).caption, (await seen()).plots], [true, all]);
+    await page.keyboard.press("?");
+    assert.match(await page.locator("#help").innerText(), /presentation: full screen, large type/);
+    await page.keyboard.press("Escape");
+    assert.deepEqual(problems, []);
+    await close();
+  }
 });
 
 test("every kind of body is drawn, and each page says what it leaves out", async () => {

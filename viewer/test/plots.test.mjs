@@ -171,6 +171,9 @@ test("nothing in a file is wider than the file", () => {
   const page = samples.wheeled();
   const pointings = ["camera toward the sun's direction", "panel", "the long name of an antenna toward the ground station", "x".repeat(150)].map((name, k) => ({
     name,
+    body: [0, 0, 1],
+    target: 0,
+    limit: null,
     values: base64(Float64Array.from({ length: 601 }, (_, i) => 0.5 + 0.1 * k + 0.05 * Math.sin(i))),
   }));
   const motion = { ...page.motion, pointings };

@@ -88,6 +88,7 @@ function motionData(rows, inertia, torque, potential, method) {
     work: null,
     wheels: [],
     pointings: [],
+    directions: [],
     events: [],
     eventCount: 0,
     contact: null,
@@ -356,9 +357,39 @@ function wheeled() {
     eventCount: 5,
     work: { name: "work of the motors", values: f64(rows.map(({ omega }) => 1.55 * omega[2] ** 2)) },
     pointings: [
-      { name: "camera", values: f64(rows.map(({ t }) => 0.7 + 0.2 * Math.sin(0.3 * t))) },
-      { name: "panel", values: f64(rows.map(({ t }) => 1.4 + 0.1 * Math.cos(0.2 * t))) },
+      { name: "camera", body: [0, 0, 1], target: 0, limit: null, values: f64(rows.map(({ t }) => 0.7 + 0.2 * Math.sin(0.3 * t))) },
+      { name: "panel", body: [-0.6, 0, 0.8], target: 0, limit: null, values: f64(rows.map(({ t }) => 1.4 + 0.1 * Math.cos(0.2 * t))) },
     ],
+  };
+  return made;
+}
+
+/** The same on an orbit, with a camera whose limit is sometimes exceeded, panels, and a tip mass on a long tape. */
+function orbiting() {
+  const made = wheeled();
+  const { motion, body } = made;
+  const times = new Float64Array(Uint8Array.from(Buffer.from(motion.times, "base64")).buffer);
+  const along = (phase) => f32([...times].flatMap((t) => [Math.cos(0.05 * t + phase), 0.6 * Math.sin(0.05 * t + phase), 0.8 * Math.sin(0.05 * t + phase)]));
+  const box = (name, position, size) => ({ ...PART, kind: "box", name, position, size });
+  made.title = "A satellite on an orbit";
+  made.body = {
+    ...body,
+    shapes: [
+      box("bus", [0.01, -0.02, 0.03], [0.5, 0.4, 0.9]),
+      box("panel, left", [0, 0.7, 0.1], [0.02, 0.9, 0.4]),
+      box("panel, right", [0, -0.7, 0.1], [0.02, 0.9, 0.4]),
+      { ...PART, kind: "ellipsoid", name: "tip mass", position: [0, 0, 5], half: [0.04, 0.04, 0.04] },
+    ],
+  };
+  made.motion = {
+    ...motion,
+    wheels: [],
+    directions: [
+      { name: "nadir", fixed: null, values: along(Math.PI) },
+      { name: "velocity", fixed: null, values: along(Math.PI / 2) },
+      { name: "target of panel", fixed: [0.6, 0.64, -0.48], values: null },
+    ],
+    pointings: motion.pointings.map((line, k) => ({ ...line, target: 2 * k, limit: k === 0 ? 0.75 : null })),
   };
   return made;
 }
@@ -424,6 +455,7 @@ export const samples = {
   heavy: once(heavy),
   tilted: once(tilted),
   wheeled: once(wheeled),
+  orbiting: once(orbiting),
   mesh: once(mesh),
   balls: once(balls),
   box: once(box),

@@ -17,9 +17,11 @@ const FONT: &[u8] = include_bytes!("../assets/stix-two-math.woff2");
 
 /// Replacements for output of pulldown-latex 0.8.0 that is not valid MathML Core or XML, is not in
 /// the font, or uses a class. `mover` always holds an accent: limits are below, or below and above.
-const CORRECTIONS: [(&str, &str); 8] = [
+const CORRECTIONS: [(&str, &str); 9] = [
     (r#"<msup><mspace width="0.1667em" />"#, r#"<mspace width="0.1667em" /><msup>"#),
     ("<mover>", r#"<mover accent="true">"#),
+    // The circumflex of ASCII is as large as a letter.
+    ("<mi>^</mi></mover>", "<mi>ˆ</mi></mover>"),
     ("<mo><</mo>", "<mo>&lt;</mo>"),
     ("‾", "¯"),
     ("&nbsp;", "&#xa0;"),
@@ -128,6 +130,7 @@ mod tests {
             (r"a \sin^2 x", &*format!("<mi>a</mi>{space}<msup><mi>sin</mi><mn>2</mn></msup>")),
             (r"\dot x + \bar z", "<mover accent=\"true\"><mi>x</mi><mi>˙</mi></mover>"),
             (r"\dot x + \bar z", "<mover accent=\"true\"><mi>z</mi><mi>¯</mi></mover>"),
+            (r"\hat{x}", "<mover accent=\"true\"><mrow><mi>x</mi></mrow><mi>ˆ</mi></mover>"),
             ("x < y", "<mo>&lt;</mo>"),
             (r"x \text{ or } y", "<mtext>&#xa0;or&#xa0;</mtext>"),
             (r"\boldsymbol\omega \times \mathbf r", "<mi>𝛚</mi>"),

@@ -33,6 +33,7 @@ export const EMPTY: PageData = {
     drift: [],
     wheels: [],
     pointings: [],
+    directions: [],
     events: [],
     eventCount: 0,
     contact: null,

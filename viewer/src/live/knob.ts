@@ -1,7 +1,9 @@
-/** A knob: its name, an input field with its value in the scenario, and a slider. */
+/** A knob: its name, an input field with its value in the scenario, a slider, and its range. */
 import { element } from "../dom";
+import { number } from "../format";
 import type { Knob } from "./protocol";
-import { placeOf, PLACES, type Range, stepOf, toml, typedToml, valueAt } from "./range";
+import { FINE_PLACES, placeOf, PLACES, type Range, stepOf, toml, typedToml, valueAt } from "./range";
+import { Steering } from "./steering";
 
 /** Callbacks of a knob. */
 export interface Turn {
@@ -22,28 +24,36 @@ export class KnobControl {
   readonly #label = element("label", { class: "knob-label" });
   readonly #field = element("input", { type: "text", class: "knob-value", spellcheck: "false", autocomplete: "off" });
   readonly #unit = element("span", { class: "unit" });
-  readonly #slider = element("input", { type: "range", min: "0", max: String(PLACES), step: "1" });
+  readonly #slider = element("input", { type: "range", min: "0", max: String(PLACES), step: "any" });
+  readonly #low = element("span");
+  readonly #high = element("span");
   readonly #said = element("p", { class: "knob-said", role: "status", hidden: true });
   #isDragged = false;
+  /** Values before the last two presses on the track. */
+  #before: [number, number];
 
   constructor(knob: Knob, turn: Turn) {
     this.#knob = knob;
     this.#range = rangeOf(knob);
     this.#turn = turn;
+    this.#before = [knob.value, knob.value];
     count += 1;
     this.#field.id = `knob-${count}`;
     this.#label.htmlFor = this.#field.id;
     this.#said.id = `knob-said-${count}`;
     this.#field.setAttribute("aria-describedby", this.#said.id);
+    const track = element("div", { class: "knob-track", title: "Drag; Shift: ten times finer; double-click: type a value" }, this.#slider);
     this.host = element(
       "div",
       { class: "knob" },
-      this.#label,
-      element("div", { class: "knob-line" }, this.#slider, element("span", { class: "knob-entry" }, this.#field, this.#unit)),
+      element("div", { class: "knob-line" }, this.#label, element("span", { class: "knob-entry" }, this.#field, this.#unit)),
+      track,
+      element("div", { class: "knob-range", "aria-hidden": "true" }, this.#low, this.#high),
       this.#said,
     );
     this.host.dataset.key = knob.key;
     this.#listen();
+    this.#steer(track);
     this.update(knob);
   }
 
@@ -73,17 +83,29 @@ export class KnobControl {
 
   #write(): void {
     const { value, unit } = this.#knob;
-    this.#field.value = `${shown(value)}${unit === "" ? "" : ` ${unit}`}`;
+    const text = `${shown(value)}${unit === "" ? "" : ` ${unit}`}`;
+    this.#field.value = text;
+    this.#field.style.width = `calc(${Math.max(text.length, 4) + 1}ch + 10px)`;
   }
 
   #paint(): void {
     const { value, unit, si } = this.#knob;
-    this.#slider.style.setProperty("--part", `${(100 * placeOf(value, this.#range)) / PLACES}%`);
+    const { low, high } = this.#range;
+    const here = placeOf(value, this.#range);
+    // The coloured part begins at zero where the range contains it.
+    const zero = low < 0 && high > 0 ? placeOf(0, this.#range) : 0;
+    this.#slider.style.setProperty("--from", `${(100 * Math.min(zero, here)) / PLACES}%`);
+    this.#slider.style.setProperty("--to", `${(100 * Math.max(zero, here)) / PLACES}%`);
+    this.#low.textContent = end(low);
+    this.#high.textContent = end(high);
     this.#slider.setAttribute("aria-valuetext", `${shown(value)} ${unit || si}`.trim());
   }
 
-  #go(place: number): void {
-    const value = valueAt(place, this.#range);
+  #go(place: number, places = PLACES): void {
+    this.#put(place, valueAt(place, this.#range, places));
+  }
+
+  #put(place: number, value: number): void {
     this.#slider.value = String(place);
     this.#knob = { ...this.#knob, value };
     this.#write();
@@ -93,13 +115,7 @@ export class KnobControl {
 
   #listen(): void {
     const slider = this.#slider;
-    slider.addEventListener("pointerdown", () => {
-      this.#isDragged = true;
-      this.#turn.hold();
-    });
     slider.addEventListener("input", () => this.#go(Number(slider.value)));
-    slider.addEventListener("change", () => this.#end());
-    for (const end of ["pointerup", "pointercancel"]) slider.addEventListener(end, () => this.#end());
     slider.addEventListener("keydown", (event) => {
       const step = stepOf(event.key, event.shiftKey);
       if (step === null || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -116,6 +132,25 @@ export class KnobControl {
     });
     this.#field.addEventListener("focus", () => this.#field.select());
     this.#field.addEventListener("change", () => this.#type());
+  }
+
+  #steer(track: HTMLElement): void {
+    new Steering(track, this.#slider, {
+      place: () => placeOf(this.#knob.value, this.#range),
+      begin: () => {
+        this.#isDragged = true;
+        this.#before = [this.#before[1], this.#knob.value];
+        this.#turn.hold();
+      },
+      go: (place, isFine) => this.#go(place, isFine ? FINE_PLACES : PLACES),
+      end: () => this.#end(),
+      // The first press of the double click may have moved the thumb.
+      type: () => {
+        const [before] = this.#before;
+        if (before !== this.#knob.value) this.#put(placeOf(before, this.#range), before);
+        this.#field.focus();
+      },
+    });
   }
 
   #type(): void {
@@ -141,6 +176,11 @@ export class KnobControl {
 function rangeOf({ low, high, scale, value }: Knob): Range {
   // A value that was dragged after the range was sent may be at its end.
   return { low: Math.min(low, value), high: Math.max(high, value), scale: low > 0 && value > 0 ? scale : "linear" };
+}
+
+/** Formats an end of the range, without zeros at its end. */
+function end(value: number): string {
+  return number(value, 3).replace(/\.0+$|(\.\d*[1-9])0+$/, "$1");
 }
 
 function shown(value: number): string {

@@ -8,9 +8,10 @@ import type { Knob } from "./protocol";
 import type { Session } from "./session";
 import { addable } from "./torques";
 
-/** Maximum number of knobs shown in front. */
+/** Maximum number of knobs in front, in two rows; one row in a low window. */
 const MOST = 7;
-const FEW = 4;
+const ROWS = 2;
+const LOW = 700;
 
 const GROUPS: Record<Knob["group"], string> = {
   body: "Body",
@@ -31,6 +32,8 @@ export class Knobs {
   readonly #switches = element("div", { class: "switches", role: "group", "aria-label": "Torques" });
   readonly #more = element("button", { type: "button", class: "quiet", "aria-expanded": "false", "aria-controls": "knob-rest" });
   #layout = "";
+  /** Number of knobs for which there is room. */
+  #room = MOST;
   /** Keys of the knobs in front, until another document is opened. */
   #front: string[] = [];
   /** Keys of the knobs of a lesson; null without one. */
@@ -54,7 +57,11 @@ export class Knobs {
         if (anew) this.#front = [];
       },
     });
-    new ResizeObserver(() => this.#update()).observe(document.body);
+    new ResizeObserver(() => {
+      const columns = getComputedStyle(this.#main).gridTemplateColumns.split(" ").length;
+      this.#room = Math.min(columns * (innerHeight < LOW ? 1 : ROWS), MOST);
+      this.#update();
+    }).observe(document.body);
   }
 
   /** Shows only these knobs; null shows all again. */
@@ -74,13 +81,12 @@ export class Knobs {
   #update(): void {
     const { switches, trouble } = this.#session;
     const knobs = this.#session.knobs.filter(({ key }) => this.#only?.includes(key) ?? true);
-    const most = innerHeight < 700 || innerWidth < 821 ? FEW : MOST;
     const ranked = [...knobs].sort((a, b) => a.rank - b.rank);
     const there = new Set(knobs.map(({ key }) => key));
     // Knobs in front stay there while values change.
     this.#front = this.#front.filter((key) => there.has(key));
     for (const { key } of ranked) if (this.#front.length < MOST && !this.#front.includes(key)) this.#front.push(key);
-    const front = this.#front.slice(0, most);
+    const front = this.#front.slice(0, this.#room);
     const layout = JSON.stringify([front, knobs.map(({ key, group }) => [key, group]), this.#rest.hidden]);
     if (layout !== this.#layout) {
       this.#layout = layout;

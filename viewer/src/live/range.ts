@@ -15,13 +15,16 @@ export function placeOf(value: number, { low, high, scale }: Range): number {
   return PLACES * Math.min(Math.max(Number.isFinite(part) ? part : 0, 0), 1);
 }
 
-/** Returns the value at a position, with no more digits than the slider resolves. */
-export function valueAt(place: number, { low, high, scale }: Range): number {
+/** Number of steps of a fine drag. */
+export const FINE_PLACES = 10 * PLACES;
+
+/** Returns the value at a position, with no more digits than `places` steps resolve. */
+export function valueAt(place: number, { low, high, scale }: Range, places = PLACES): number {
   const part = Math.min(Math.max(place / PLACES, 0), 1);
   if (part === 0) return low;
   if (part === 1) return high;
-  if (scale === "log") return Number((low * (high / low) ** part).toPrecision(4));
-  const step = 10 ** Math.floor(Math.log10((high - low) / PLACES));
+  if (scale === "log") return Number((low * (high / low) ** part).toPrecision(places > PLACES ? 5 : 4));
+  const step = 10 ** Math.floor(Math.log10((high - low) / places));
   const value = Math.round((low + part * (high - low)) / step) * step;
   // Removes the rounding error of the product.
   return Number(value.toPrecision(12)) + 0;

@@ -5,7 +5,7 @@
 import { Vector3 } from "three";
 import type { App } from "../app";
 import { type Quaternion, rotate, type Vector } from "../attitude";
-import { byId, element } from "../dom";
+import { byId, element, svgElement } from "../dom";
 import type { View } from "../scene/scene";
 import { between, type Held, onBall, product, rateOf, unit } from "./rotation";
 import type { Session } from "./session";
@@ -14,11 +14,14 @@ import type { Session } from "./session";
 const TURN = 0.06;
 /** Radius of the ball that the pointer rotates, relative to the body's radius. */
 const BALL = 1.2;
+/** Path of the button's icon. */
+const ARC =
+  "M6.5 13a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM8.2 9.6C9.8 5.8 13 3.6 17 3.3V.8l5 3.9-5 3.9V5.5c-3.2.3-5.6 2-6.9 4.9zM12.6 14.3c.7-2 2.2-3.2 4.2-3.6l.4 2c-1.3.3-2.2 1-2.7 2.3z";
 /** Length of the recorded path, s. */
 const MEMORY = 0.5;
 
 export class Throw {
-  readonly button = element("button", { type: "button", id: "throw", "aria-pressed": "false", title: "Take the body and throw it (g)" }, "Throw");
+  readonly button = element("button", { type: "button", id: "throw", "aria-pressed": "false", title: "Take the body and throw it (g)" }, ball(), "Throw");
   readonly #app: App;
   readonly #view: View;
   readonly #session: Session;
@@ -132,4 +135,11 @@ export class Throw {
     const radius = Math.abs(this.#view.project(side)[0] - cx) || 1;
     return onBall((event.clientX - box.left - cx) / radius, -(event.clientY - box.top - cy) / radius);
   }
+}
+
+/** Creates the icon of the button: a ball that is thrown in an arc. */
+function ball(): SVGSVGElement {
+  const svg = svgElement("svg", { class: "icon", viewBox: "0 0 24 24", "aria-hidden": "true" });
+  svg.append(svgElement("path", { d: ARC }));
+  return svg;
 }

@@ -17,6 +17,8 @@ export interface Shared {
   marked: readonly Marked[];
   /** Phases of a body on the ground. */
   phases: readonly Phase[];
+  /** Size of the type, relative to that of the page. */
+  size: number;
   /** Name of saved files. */
   file: string;
 }
@@ -68,7 +70,7 @@ export class FigurePanel {
     const marks = marksOf(shared.marked);
     this.plots = stacks.map((stack, k) => {
       const place = { isFirst: k === 0, isLast: k === stacks.length - 1 };
-      return new TimePlot(figure, stack, shared.times, shared.unit, marks, bandsOf(shared.phases), place);
+      return new TimePlot(figure, stack, shared, marks, bandsOf(shared.phases), place);
     });
     const heading = element("div", { class: "plot-heading" }, element("h3", {}, figure.title));
     if (this.plots.length > 0) heading.append(...saveButtons(figure.title, `${shared.file}-${figure.id}`, () => this.#svg()));

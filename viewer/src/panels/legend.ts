@@ -121,7 +121,7 @@ function fill(host: HTMLElement, view: View): void {
     const swatch = element("span", { class: `swatch ${layer.look}` });
     const axes = layer.id.endsWith("-axes") && layer.id !== "space-axes";
     const ink = layer.id === "trail" ? view.trailed : layer.ink;
-    swatch.style.color = `var(--${ink ?? "solid"})`;
+    swatch.style.color = `var(--${ink ?? "part-1"})`;
     if (axes) swatch.classList.add("axes");
     const button = element("button", { type: "button", id: `layer-${layer.id}` }, swatch, layer.label);
     button.setAttribute("aria-pressed", String(layer.on[view.picture]));

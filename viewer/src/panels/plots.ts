@@ -6,6 +6,7 @@
  */
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
+import { AXIS_SETS, type AxisSet } from "../components";
 import type { PageData, TopData } from "../data";
 import { element } from "../dom";
 import { fileName } from "../save/files";
@@ -34,7 +35,13 @@ export class Plots {
   readonly #waiting = new Map<FigurePanel, FigureMaker>();
   #axisWaits: { top: TopData; motion: Motion } | null = null;
   #shared: Shared;
+  #page: PageData;
+  #motion: Motion;
+  /** Axes along which vectors are drawn. */
+  #set: AxisSet = "body";
   #axis: AxisPicture | null = null;
+  /** Size of the type, relative to that of the page. */
+  #size = 1;
   /** Index of the sample under the pointer. */
   #hovered: number | null = null;
   #width = 0;
@@ -44,10 +51,12 @@ export class Plots {
 
   constructor(host: HTMLElement, page: PageData, motion: Motion, clock: Clock) {
     this.#clock = clock;
-    this.#shared = sharedBy(page, motion);
+    this.#shared = sharedBy(page, motion, this.#size);
+    [this.#page, this.#motion] = [page, motion];
     const hint = "Point to read values, click to go there, drag to zoom, double-click to see all. ";
     const ruler = element("div");
-    host.append(element("p", { class: "hint" }, hint, this.#readingTime), this.#events, this.#figures, ruler);
+    const reading = element("div", { class: "reading-line" }, this.#readingTime, this.#choice());
+    host.append(element("p", { class: "hint" }, hint), reading, this.#events, this.#figures, ruler);
     this.#watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
         if (isIntersecting) this.#seen.add(target);
@@ -65,9 +74,10 @@ export class Plots {
   /** Shows another motion. */
   update(page: PageData, motion: Motion): void {
     const before = this.#shared;
-    this.#shared = sharedBy(page, motion);
+    this.#shared = sharedBy(page, motion, this.#size);
     this.#hovered = null;
-    const makers = makersOf(motion, page.body.principal);
+    [this.#page, this.#motion] = [page, motion];
+    const makers = makersOf(motion, page.body.principal, this.#set);
     if ((page.top === null) !== (this.#axis === null) || before.unit.name !== this.#shared.unit.name) {
       this.#build(page, motion);
       this.#resize(this.#width, true);
@@ -93,8 +103,28 @@ export class Plots {
     this.#follow();
   }
 
+  /** Draws all plots again, with type of another size. */
+  magnify(size: number): void {
+    this.#size = size;
+    this.#shared = sharedBy(this.#page, this.#motion, size);
+    this.#build(this.#page, this.#motion);
+    this.#resize(this.#width, true);
+    this.#follow();
+  }
+
   redraw(): void {
     for (const { plot } of this.#plots()) plot.redraw(false);
+  }
+
+  // Makes the choice of the axes. Plots have one set at a time.
+  #choice(): HTMLElement {
+    const choice = element("select", { id: "axis-set", class: "small" });
+    for (const [value, { choice: text }] of Object.entries(AXIS_SETS)) choice.append(element("option", { value }, text));
+    choice.addEventListener("change", () => {
+      this.#set = choice.value as AxisSet;
+      this.update(this.#page, this.#motion);
+    });
+    return element("label", {}, "Vectors along ", choice);
   }
 
   // Builds everything again.
@@ -108,7 +138,7 @@ export class Plots {
     this.#axisWaits = null;
     this.#axis = page.top ? new AxisPicture(motion, page.top, this.#shared.unit, this.#shared.file) : null;
     this.#listEvents(motion);
-    this.#arrange(makersOf(motion, page.body.principal));
+    this.#arrange(makersOf(motion, page.body.principal, this.#set));
     if (!this.#axis) return;
     this.#panels.get("omega")?.host.after(this.#axis.host);
     this.#watch.observe(this.#axis.host);
@@ -243,8 +273,8 @@ export class Plots {
   }
 }
 
-function sharedBy(page: PageData, motion: Motion): Shared {
+function sharedBy(page: PageData, motion: Motion, size: number): Shared {
   const { times } = motion;
   const unit = timeUnit(Math.max(Math.abs(times[times.length - 1]), Math.abs(times[0])));
-  return { times, unit, marked: marked(motion.events), phases: motion.contact?.phases ?? [], file: fileName(page.title) };
+  return { times, unit, marked: marked(motion.events), phases: motion.contact?.phases ?? [], size, file: fileName(page.title) };
 }

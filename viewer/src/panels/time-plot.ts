@@ -13,6 +13,7 @@ import type { Figure, Line } from "../plot/lines";
 import { type Band, STRENGTH } from "../plot/phases";
 import { decades, extent, logRange, padded, ticks } from "../plot/scale";
 import { ink } from "../theme";
+import type { Shared } from "./figure-panel";
 
 /** Heights of the frame and of the areas around it, px. */
 const FRAME = { alone: 126, stacked: 104 };
@@ -36,8 +37,11 @@ export class TimePlot {
   readonly host: HTMLElement;
   readonly #place: Place;
   readonly #unit: { name: string; seconds: number };
+  /** Size of the type, relative to that of the page. */
+  readonly #size: number;
   readonly #title = element("div", { class: "axis-title y" });
   readonly #less = element("span", { class: "less" });
+  readonly #readingUnit = element("span", { class: "unit" });
   #figure: Figure;
   #stack: Stack;
   #marks: readonly Mark[];
@@ -49,11 +53,12 @@ export class TimePlot {
   /** For each line: true if it is drawn as an envelope, and if its samples resolve it. */
   readonly #drawn: { enveloped: boolean; resolved: boolean }[];
 
-  constructor(figure: Figure, stack: Stack, times: Float64Array, unit: { name: string; seconds: number }, marks: readonly Mark[], bands: readonly Band[], place: Place) {
+  constructor(figure: Figure, stack: Stack, { times, unit, size }: Pick<Shared, "times" | "unit" | "size">, marks: readonly Mark[], bands: readonly Band[], place: Place) {
     this.#figure = figure;
     this.#stack = stack;
     this.#place = place;
     this.#unit = unit;
+    this.#size = size;
     this.#marks = marks;
     this.#bands = bands;
     this.#drawn = stack.lines.map(() => ({ enveloped: false, resolved: true }));
@@ -62,6 +67,8 @@ export class TimePlot {
     stack.lines.forEach((line, k) => {
       key.append(element("span", { class: "key-entry" }, swatch(line), element("span", {}, line.label), this.#readings[k]));
     });
+    // All readings of a plot have its unit, after the last one.
+    key.lastElementChild?.append(this.#readingUnit);
     key.append(this.#less, this.#tag);
     const box = element("div", { class: "plot-box" });
     box.style.height = `${this.#height}px`;
@@ -75,7 +82,7 @@ export class TimePlot {
     box.append(this.#title);
     if (place.isLast) {
       const below = element("div", { class: "axis-title x" }, `time t (${unit.name})`);
-      below.style.left = `${LEFT}px`;
+      below.style.left = `${LEFT * size}px`;
       box.append(below);
     }
     this.#events = marks.map(() => element("div", { class: "event" }));
@@ -115,7 +122,8 @@ export class TimePlot {
   }
 
   #name(): void {
-    const { title, less } = this.#stack;
+    const { title, less, readingUnit } = this.#stack;
+    this.#readingUnit.textContent = readingUnit;
     if (this.#title.textContent !== title) this.#title.textContent = title;
     this.#less.textContent = less;
     this.#less.hidden = less === "";
@@ -155,15 +163,15 @@ export class TimePlot {
   }
 
   get #frame(): number {
-    return this.#place.isFirst && this.#place.isLast ? FRAME.alone : FRAME.stacked;
+    return this.#size * (this.#place.isFirst && this.#place.isLast ? FRAME.alone : FRAME.stacked);
   }
 
   get #above(): number {
-    return this.#place.isFirst && this.#marks.length > 0 ? ABOVE.lettered : ABOVE.plain;
+    return this.#size * (this.#place.isFirst && this.#marks.length > 0 ? ABOVE.lettered : ABOVE.plain);
   }
 
   get #height(): number {
-    return this.#above + this.#frame + (this.#place.isLast ? BELOW.numbers + BELOW.title : BELOW.bare);
+    return this.#above + this.#frame + this.#size * (this.#place.isLast ? BELOW.numbers + BELOW.title : BELOW.bare);
   }
 
   #options(): uPlot.Options {
@@ -172,17 +180,17 @@ export class TimePlot {
       stroke: () => ink("quiet"),
       grid: { stroke: () => ink("grid"), width: 1 },
       ticks: { show: false },
-      font: "11px system-ui, sans-serif",
+      font: `${11 * this.#size}px system-ui, sans-serif`,
       gap: 4,
     };
     const degrees = unit === "°" && this.#stack.unit.size === 1;
-    const up = (low: number, high: number): { values: number[]; step: number } => ticks(low, high, this.#frame / 28, degrees);
+    const up = (low: number, high: number): { values: number[]; step: number } => ticks(low, high, this.#frame / (28 * this.#size), degrees);
     const across = (u: uPlot, low: number, high: number): { values: number[]; step: number } => {
-      return ticks(low / this.#unit.seconds, high / this.#unit.seconds, u.bbox.width / devicePixelRatio / 62);
+      return ticks(low / this.#unit.seconds, high / this.#unit.seconds, u.bbox.width / devicePixelRatio / (62 * this.#size));
     };
     const time: uPlot.Axis = {
       ...axis,
-      size: this.#place.isLast ? BELOW.numbers : 0,
+      size: this.#place.isLast ? BELOW.numbers * this.#size : 0,
       splits: (u, _, low, high) => across(u, low, high).values.map((v) => v * this.#unit.seconds),
       values: (u, values) => {
         if (!this.#place.isLast) return values.map(() => "");
@@ -205,7 +213,7 @@ export class TimePlot {
     return {
       width: 300,
       height: this.#height,
-      padding: [this.#above, 18, this.#place.isLast ? BELOW.title : BELOW.bare, 0],
+      padding: [this.#above, 18, this.#size * (this.#place.isLast ? BELOW.title : BELOW.bare), 0],
       legend: { show: false },
       cursor: {
         sync: { key: "polhode" },
@@ -217,13 +225,13 @@ export class TimePlot {
         x: { time: false },
         y: { distr: log ? 3 : 1, range: (u, low, high): [number, number] => this.#range(u, low, high) },
       },
-      axes: [time, { ...value, size: LEFT }],
+      axes: [time, { ...value, size: LEFT * this.#size }],
       series: [
         {},
         ...this.#stack.lines.map((line, k): uPlot.Series => ({
           stroke: () => ink(line.ink),
           fill: () => `${ink(line.ink)}30`,
-          width: 1.6,
+          width: 1.6 * this.#size,
           points: { show: false },
           ...(line.dash ? { dash: line.dash } : {}),
           paths: (u, series, first, last) => this.#paths(u, series, first, last, this.#stack.lines[k], k),

@@ -12,6 +12,9 @@ const CONSTANT = 1e-6;
 /** Fraction of a plot's height below which a line counts as squashed. */
 const SQUASHED = 1 / 20;
 
+/** Fraction of the largest value on an axis below which a line counts as small. */
+const SMALL = 1 / 8;
+
 /** Maximum number of plots of a figure. */
 const MOST_STACKS = 3;
 
@@ -40,6 +43,8 @@ export interface Stack {
   offset: number;
   /** The offset as text: "c = −2.9431 J"; empty without one. */
   less: string;
+  /** Unit after the readings; empty for numbers without one. */
+  readingUnit: string;
   /** Title of the vertical axis: "ωx, ωy (rad/s)", "E − c (µJ)". */
   title: string;
   /** Digits of a reading, enough to resolve a hundredth of the axis. */
@@ -113,8 +118,8 @@ export function quantity(value: number, unit: string, figures: number): string {
 }
 
 /**
- * Distributes lines over axes, in order. A line joins the first axis whose lines it does not
- * squash, and which do not squash it.
+ * Distributes lines over axes, in order. A line joins the first axis whose lines have a
+ * similar size and are not squashed by it, nor it by them.
  */
 export function split(lines: readonly Line[], telling = Infinity): Line[][] {
   const ranges = new Map(lines.map((line) => [line, extent([line.values], 0, telling - 1)]));
@@ -131,9 +136,15 @@ export function split(lines: readonly Line[], telling = Infinity): Line[][] {
     const common = span(all);
     return common > 0 ? Math.min(...all.map((line) => span([line]) / common)) : 1;
   };
+  // Returns the ratio of the largest values of the smallest and the largest line.
+  const smallest = (all: readonly Line[]): number => {
+    const sizes = all.map((line) => Math.max(...(ranges.get(line) ?? [0]).map(Math.abs)));
+    return Math.min(...sizes) / Math.max(...sizes);
+  };
+  const fit = (all: readonly Line[]): boolean => flattest(all) >= SQUASHED && smallest(all) >= SMALL;
   const groups: Line[][] = [];
   for (const line of lines) {
-    const fits = groups.find((group) => !line.alone && !group[0].alone && flattest([...group, line]) >= SQUASHED);
+    const fits = groups.find((group) => !line.alone && !group[0].alone && fit([...group, line]));
     if (fits) fits.push(line);
     else if (groups.length < MOST_STACKS) groups.push([line]);
     else {
@@ -157,7 +168,7 @@ function stackOf(lines: Line[], figure: Figure): Stack {
   const name = lines.length === 1 && !figure.log ? symbols[0] : figure.quantity;
   if (figure.log) {
     const unit = { name: figure.unit, size: 1 };
-    return { lines, unit, offset: 0, less: "", title: `${name} (${unit.name})`, figures: 2, range };
+    return { lines, unit, offset: 0, less: "", title: `${name} (${unit.name})`, readingUnit: unit.name === "relative" ? "" : unit.name, figures: 2, range };
   }
   const shifted = spread > 0 && spread < OFFSET * size;
   const turns = figure.unit === "°" && spread > IN_TURNS;
@@ -173,6 +184,7 @@ function stackOf(lines: Line[], figure: Figure): Stack {
     offset,
     less,
     title: `${name}${less === "" ? "" : " − c"} (${unit.name})`,
+    readingUnit: unit.name.replace(/^10/, "×10"),
     figures: Math.min(Math.max(Math.ceil(Math.log10(size / spread)) + 3, 5), 12),
     range: [range[0] / unit.size - offset, range[1] / unit.size - offset],
   };

@@ -7,7 +7,7 @@ import type { Vector } from "../attitude";
 import type { TopData } from "../data";
 import { mark } from "../format";
 import { type AxisPath, anglesOf, azimuthAt, directionOf, dot } from "./axis-path";
-import { type Box, type Mark, ring, through } from "./drawing";
+import { type Box, type Mark, ring, textWidth, through } from "./drawing";
 import { extent, padded, ticks } from "./scale";
 
 type Point = [number, number];
@@ -72,13 +72,17 @@ export function onSphere(path: AxisPath, top: TopData, box: Box): View {
 
 /** Draws θ against φ, with up upward, from one point of the path to another. */
 export function unrolled(path: AxisPath, top: TopData, [first, last]: [number, number], box: Box): View {
-  const frame = { left: box.left + 52, top: box.top + 8, width: box.width - 64, height: box.height - 48 };
   const degrees = (angle: number): number => (angle * 180) / Math.PI;
   const phi = path.phi.slice(first, last + 1).map(degrees);
   const theta = path.theta.slice(first, last + 1).map(degrees);
   const [from, to] = padded(extent([phi]), 1);
   const bounds = path.bounds.map(degrees);
   const [low, high] = padded([Math.min(...bounds), Math.max(...bounds)], LEAST);
+  const height = box.height - 48;
+  const along = ticks(low, high, height / 32, true);
+  // The title stands to the left of the longest number.
+  const wide = Math.max(...along.values.map((value) => textWidth(mark(value, along.step), 11)), 28) + 24;
+  const frame = { left: box.left + wide, top: box.top + 8, width: box.width - wide - 12, height };
   const x = (angle: number): number => frame.left + ((angle - from) / (to - from)) * frame.width;
   const y = (angle: number): number => frame.top + ((angle - low) / (high - low)) * frame.height;
   const marks: Mark[] = [];
@@ -89,7 +93,6 @@ export function unrolled(path: AxisPath, top: TopData, [first, last]: [number, n
     marks.push({ kind: "path", d: through([[x(value), frame.top], [x(value), bottom]]), ink: "grid" });
     marks.push({ kind: "text", at: [x(value), bottom + 15], text: mark(value, across.step), anchor: "middle", ink: "quiet", size: 11 });
   }
-  const along = ticks(low, high, frame.height / 32, true);
   for (const value of along.values) {
     marks.push({ kind: "path", d: through([[frame.left, y(value)], [right, y(value)]]), ink: "grid" });
     marks.push({ kind: "text", at: [frame.left - 5, y(value) + 4], text: mark(value, along.step), anchor: "end", ink: "quiet", size: 11 });

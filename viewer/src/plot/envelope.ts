@@ -5,10 +5,9 @@
  */
 
 import { indexAt } from "../clock";
-import { extent } from "./scale";
 
 /** Distance of neighbouring extrema below which a line counts as stripes, px. */
-export const NEAREST = 6;
+export const NEAREST = 4;
 
 /** Smallest oscillation that counts, px. */
 const LEAST_SWING = 3;
@@ -16,17 +15,23 @@ const LEAST_SWING = 3;
 /** Least number of samples between extrema for a resolved line. */
 const RESOLVED = 2.5;
 
+/**
+ * Length of the chords of an edge, px. Where extrema alternate, as with two frequencies, the edge
+ * goes from one of the outer extrema to the next.
+ */
+const CHORD = 32;
+
 /** Number of swings that make a span. Fewer are drawn as they are. */
 const FEWEST = 8;
 
-/** Envelope of a line between two of its points: the edges through its minima and maxima. */
+/** Envelope of a line between two of its points: the edges through its outer minima and maxima. */
 export interface Span {
   first: number;
   last: number;
   low: [number, number][];
   high: [number, number][];
   /**
-   * False if the samples do not resolve the oscillation. The edges are then the range of the
+   * False if the samples do not resolve the oscillation. The edges then go through the outer
    * samples.
    */
   resolved: boolean;
@@ -100,24 +105,17 @@ function envelopesOfPiece(x: ArrayLike<number>, y: ArrayLike<number>, first: num
 
 /**
  * Makes the span of the swings from `k` to `end`, through the extrema; if the samples miss these,
- * through the range of several swings.
+ * through the samples.
  */
 function span(x: ArrayLike<number>, y: ArrayLike<number>, at: number[], k: number, end: number, first: number, last: number): Span {
   const made: Span = { first, last, low: [], high: [], resolved: samplesPerSwing(y, first, last) >= RESOLVED };
   if (!made.resolved) {
-    for (let j = k; j < end; j += 1) {
-      const from = j === k ? first : at[Math.max(j - 2, k)];
-      const to = j === end - 1 ? last : at[Math.min(j + 3, end)];
-      const [low, high] = extent([y], from, to) ?? [y[from], y[from]];
-      const place = j === k ? x[first] : j === end - 1 ? x[last] : (x[at[j]] + x[at[j + 1]]) / 2;
-      made.low.push([place, low]);
-      made.high.push([place, high]);
-    }
-    return made;
+    const all = Array.from({ length: last - first + 1 }, (_, i): [number, number] => [x[first + i], y[first + i]]);
+    return { ...made, low: outer(all, -1), high: outer(all, 1) };
   }
   const turns = at.slice(k, end + 1);
   const isHigh = (j: number): boolean => y[turns[j]] > y[turns[j === 0 ? 1 : j - 1]];
-  for (const [edge, sense] of [[made.low, -1], [made.high, 1]] as const) {
+  for (const [side, sense] of [["low", -1], ["high", 1]] as const) {
     const own = turns.filter((_, j) => isHigh(j) === sense > 0);
     // The first point of a line may be between extrema. It is not an extremum then.
     if (own.length > 2 && own[0] === first) own.shift();
@@ -126,11 +124,29 @@ function span(x: ArrayLike<number>, y: ArrayLike<number>, at: number[], k: numbe
     const [head, tail] = [farthest(y, first, own[0], sense), farthest(y, own[own.length - 1], last, sense)];
     if (head !== own[0]) own.unshift(head);
     if (tail !== own[own.length - 1]) own.push(tail);
-    edge.push(...own.map((i): [number, number] => [x[i], vertex(y, i, first, last, at, sense)]));
+    const edge = own.map((i): [number, number] => [x[i], vertex(y, i, first, last, at, sense)]);
     edge.unshift([x[first], edge[0][1]]);
     edge.push([x[last], edge[edge.length - 1][1]]);
+    made[side] = outer(edge, sense);
   }
   return made;
+}
+
+/**
+ * Returns the points of an edge with none beyond it: from each, the next is the one within a chord
+ * to which the edge is steepest outwards.
+ */
+function outer(points: readonly [number, number][], sense: 1 | -1): [number, number][] {
+  const out = [points[0]];
+  for (let i = 0; i < points.length - 1; ) {
+    const [x, y] = points[i];
+    const slope = (j: number): number => (sense * (points[j][1] - y)) / Math.max(points[j][0] - x, 1e-9);
+    let next = i + 1;
+    for (let j = i + 2; j < points.length && points[j][0] - x <= CHORD; j += 1) if (slope(j) >= slope(next)) next = j;
+    out.push(points[next]);
+    i = next;
+  }
+  return out;
 }
 
 /** Returns the index of the greatest y in an interval, or of the least for −1. */

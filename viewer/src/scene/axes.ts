@@ -23,6 +23,7 @@ export class Axes {
   readonly body = new Group();
   readonly principal = new Group();
   readonly layers: Layer[] = [];
+  readonly #principal: Arrow[] = [];
   readonly #drawn: { layer: string; text: string; tip: Vector3; turns: boolean; ink: Label["ink"] }[] = [];
 
   /** Arrows of space have the length `far`, and those of the body `reach`. */
@@ -54,13 +55,20 @@ export class Axes {
       names.forEach((text, k) => {
         const tip = new Vector3(...axis(INKS[k])).multiplyScalar(reach);
         if (group === this.principal) tip.applyQuaternion(principal);
-        const arrow = new Arrow(fixed ? "faint" : INKS[k], width, palette);
+        // Principal axes have the colours of the body axes, but dashes.
+        const arrow = new Arrow(fixed ? "faint" : INKS[k], width, palette, group === this.principal);
         arrow.point(tip.x, tip.y, tip.z);
+        if (group === this.principal) this.#principal.push(arrow);
         group.add(arrow.object);
         this.#drawn.push({ layer, text, tip, turns: !fixed, ink: fixed ? "quiet" : INKS[k] });
       });
       this.layers.push({ id: layer, label, ink: fixed ? "faint" : "axis-1", look: "arrow", on, objects: [group] });
     }
+  }
+
+  /** Lets the principal axes begin at a distance from the origin. */
+  begin(foot: number): void {
+    for (const arrow of this.#principal) arrow.point(arrow.tip.x, arrow.tip.y, arrow.tip.z, foot);
   }
 
   labels(on: (id: string) => boolean, turned: (p: Vector3) => Vector3): Label[] {

@@ -1,6 +1,6 @@
 /**
- * Shape of the body, in body axes. Round shapes have marks, quarters in two greys, that make
- * rotation visible. In the picture, the distance from the centre of rotation to the body's farthest
+ * Shape of the body, in body axes. Each part has a colour, parts of one name the same. Round shapes
+ * have marks, quarters in two shades, that make rotation visible. In the picture, the distance from the centre of rotation to the body's farthest
  * part is 1.
  */
 import {
@@ -9,6 +9,7 @@ import {
   Group,
   Mesh,
   MeshStandardMaterial,
+  type Object3D,
   Quaternion,
   SphereGeometry,
   Vector3,
@@ -20,11 +21,14 @@ import type { BodyData, Indices, Shape } from "../data";
 import { BadData, f32 } from "../decode";
 import { ELLIPSOID, formOf, type Solid } from "./form";
 import { directions, Farthest } from "./framing";
+import { enclosing } from "./inside";
 import { endsOf, lineMaterial } from "./lines";
-import type { Palette } from "./palette";
+import type { Ink, Palette } from "./palette";
 
 /** Relative size of a part below which it is small compared with its distance. */
 const SMALL = 0.1;
+/** Colours of parts, in their order. */
+export const PARTS = ["part-1", "part-2", "part-3", "part-4", "part-5", "part-6"] as const;
 /** Stride between points that are examined one after the other. */
 const LEAP = 101;
 
@@ -52,14 +56,16 @@ export class BodyModel {
    */
   constructor(data: BodyData, isOpen: boolean, palette: Palette, before: BodyModel | null) {
     this.hasShapes = data.shapes.length > 0;
-    this.ellipsoid = equimomental(data, paint(palette, isOpen));
+    this.ellipsoid = equimomental(data, paint(palette, "part-1", isOpen));
     const same = before !== null && before.#solids.of === data.shapes && before.#solids.isOpen === isOpen;
     this.#solids = same ? before.#solids : new Solids(data.shapes, isOpen, palette);
     this.shapes = this.#solids.group;
     this.coarser = this.#solids.coarser;
     const ellipsoid = farthestOf(data);
-    const shapes = this.hasShapes ? this.#solids.farthest : ellipsoid;
-    const farthest = Math.max(...shapes.map((p) => p.length())) || 1;
+    const all = this.hasShapes ? this.#solids.farthest : ellipsoid;
+    // The camera does not go back for small distant parts, such as a tip mass.
+    const shapes = this.hasShapes && this.#solids.main.length > 0 ? this.#solids.main : all;
+    const farthest = Math.max(...all.map((p) => p.length())) || 1;
     const own = this.hasShapes ? Math.min(this.#solids.bulk, farthest) : farthest;
     const isLike = before !== null && own > 0.55 * before.radius && own < 1.35 * before.radius;
     this.radius = isLike ? before.radius : own;
@@ -74,6 +80,8 @@ export class BodyModel {
 export class Solids {
   readonly group = new Group();
   readonly farthest: Vector3[];
+  /** The same without parts that are small compared with their distance. */
+  readonly main: Vector3[];
   /** Distance of the farthest part that is not small compared with its distance. */
   readonly bulk: number;
   readonly coarser: string | null;
@@ -83,16 +91,31 @@ export class Solids {
     readonly isOpen: boolean,
     palette: Palette,
   ) {
-    const look = paint(palette, isOpen);
-    for (const shape of of) this.group.add(place(shape, look));
+    const inks = inksOf(of);
+    of.forEach((shape, k) => this.group.add(place(shape, paint(palette, inks[k], isOpen))));
     const counts = of.flatMap((s) => (s.kind === "mesh" ? [{ here: count(s.triangles), of: s.of }] : []));
     const here = Math.floor(counts.reduce((sum, c) => sum + c.here, 0));
     const all = counts.reduce((sum, c) => sum + c.of, 0);
     this.coarser = counts.some((c) => c.of > c.here + 1) ? `shown with ${grouped(here)} of ${grouped(all)} triangles` : null;
     const parts = this.group.children.map((part) => outlineOf(part as Group));
+    enclosing(of, parts.map(({ points }) => points)).forEach((encloses, k) => {
+      if (encloses && !isOpen) repaint(this.group.children[k], paint(palette, inks[k], true));
+    });
     this.farthest = extremes(parts);
     this.bulk = bulk(parts);
+    const main = parts.filter((part) => !isSmall(part));
+    this.main = main.length === parts.length ? this.farthest : extremes(main);
   }
+}
+
+/**
+ * Returns the colour of each part. Names that differ only by a number, or after a comma, such as
+ * "panel, left" and "panel, right", are those of like parts.
+ */
+export function inksOf(parts: readonly { name: string }[]): Ink[] {
+  const kinds = parts.map(({ name }) => name.replace(/,.*|[\s_-]*\d+$/, ""));
+  const distinct = [...new Set(kinds)];
+  return kinds.map((kind) => PARTS[distinct.indexOf(kind) % PARTS.length]);
 }
 
 /** Returns the number of triangles: 12 bytes each, with possible padding of base64. */
@@ -143,11 +166,17 @@ function outlineOf(part: Group): Outline {
  * if all are small.
  */
 function bulk(parts: Outline[]): number {
-  const large = parts.flatMap((part) => {
-    const far = Math.max(...corners(part).map((p) => p.length()));
-    return part.max.distanceTo(part.min) < SMALL * far ? [] : [far];
-  });
+  const large = parts.filter((part) => !isSmall(part)).map(reachOf);
   return large.length > 0 ? Math.max(...large) : Infinity;
+}
+
+/** Returns true for a part that is small compared with its distance. */
+function isSmall(part: Outline): boolean {
+  return part.max.distanceTo(part.min) < SMALL * reachOf(part);
+}
+
+function reachOf(part: Outline): number {
+  return Math.max(...corners(part).map((p) => p.length()));
 }
 
 function corners({ min, max }: Outline): Vector3[] {
@@ -160,12 +189,12 @@ interface Paint {
   edge: LineMaterial;
 }
 
-/** Returns materials shared by all shapes; they are transparent if the body is open. */
-function paint(palette: Palette, isOpen: boolean): Paint {
-  const look = { roughness: 0.55, metalness: 0.05, ...(isOpen ? { transparent: true, opacity: 0.4, depthWrite: false } : {}) };
+/** Returns materials shared by all shapes of a colour; they are transparent if `isOpen`. */
+function paint(palette: Palette, ink: Ink, isOpen: boolean): Paint {
+  const look = { roughness: 0.7, metalness: 0, ...(isOpen ? { transparent: true, opacity: 0.4, depthWrite: false } : {}) };
   return {
-    solid: palette.shared(`solid ${isOpen}`, "solid", () => new MeshStandardMaterial(look)),
-    marked: palette.shared(`marked ${isOpen}`, "solid", () => new MeshStandardMaterial({ ...look, vertexColors: true })),
+    solid: palette.shared(`solid ${isOpen}`, ink, () => new MeshStandardMaterial(look)),
+    marked: palette.shared(`marked ${isOpen}`, ink, () => new MeshStandardMaterial({ ...look, vertexColors: true })),
     // Opaque, because crossings of transparent lines would be darker.
     edge: lineMaterial({ ink: "edge", width: 1, strength: 0.85 }, palette),
   };
@@ -195,6 +224,13 @@ function solid(shape: Solid, paint: Paint): Group {
   }
   for (const part of group.children) part.scale.set(...scale);
   return group;
+}
+
+function repaint(part: Object3D, paint: Paint): void {
+  part.traverse((object) => {
+    if (!(object instanceof Mesh) || object instanceof LineSegments2) return;
+    object.material = (object.material as MeshStandardMaterial).vertexColors ? paint.marked : paint.solid;
+  });
 }
 
 function balls(shape: Extract<Shape, { kind: "balls" }>): Group {

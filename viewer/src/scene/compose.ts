@@ -17,7 +17,7 @@ export function compose(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement,
   pen.scale(ratio, ratio);
   pen.textAlign = "center";
   pen.textBaseline = "middle";
-  for (const { text, ink, x, y, led, tipX, tipY, endX, endY } of names) {
+  for (const { text, ink, x, y, led, isOn, tipX, tipY, endX, endY } of names) {
     pen.font = [...text].length <= 2 ? '19px "Polhode Math"' : "600 13px system-ui, sans-serif";
     pen.fillStyle = colour(ink);
     pen.strokeStyle = colour(ink);
@@ -28,6 +28,13 @@ export function compose(pen: CanvasRenderingContext2D, drawn: HTMLCanvasElement,
       pen.lineTo(endX, endY);
       pen.stroke();
       pen.globalAlpha = 1;
+    }
+    if (isOn) {
+      pen.strokeStyle = colour("paper");
+      pen.lineWidth = 4;
+      pen.lineJoin = "round";
+      pen.strokeText(text, x, y);
+      pen.lineWidth = 1;
     }
     pen.fillText(text, x, y);
   }

@@ -11,6 +11,7 @@ import { Ground } from "./ground";
 import type { Layer } from "./layers";
 import { Marker } from "./marker";
 import type { Ink, Palette } from "./palette";
+import { Shadow } from "./shadow";
 
 /** Radius of the mark of the contact point, relative to the body and to the length of its path. */
 const MARK = [0.035, 0.004] as const;
@@ -24,9 +25,11 @@ export class ContactScene {
   readonly #paths: { path: ContactPath; layer: Layer }[] = [];
   readonly #touch: Group;
   readonly #unit: number;
+  /** Shadow on a plane; null on other ground. */
+  readonly #shadow: Shadow | null;
 
-  /** `unit`: metres of length 1. */
-  constructor(contact: Contact, motion: Motion, unit: number, palette: Palette) {
+  /** `unit`: metres of length 1. `outline`: points of the body, in that unit. */
+  constructor(contact: Contact, motion: Motion, unit: number, outline: readonly Vector3[], palette: Palette) {
     const start = motion.times[0];
     const until = contact.touchesUntil;
     const at = places(contact, start, unit);
@@ -37,7 +40,9 @@ export class ContactScene {
     const turns = contact.ground.rate !== 0;
     const trace = new Group();
     this.#ground.object.add(trace);
-    this.#put("ground", this.#ground.label, "faint", "area", true, this.#ground.object.children[0]);
+    this.#shadow = contact.ground.form === "plane" ? new Shadow(new Vector3(...contact.ground.axis), outline, palette) : null;
+    if (this.#shadow) this.space.add(this.#shadow.object);
+    this.#put("ground", this.#ground.label, "faint", "area", true, this.#ground.object.children[0], ...(this.#shadow ? [this.#shadow.object] : []));
     this.#draw("ground-path", turns ? "Path in space" : `Path on the ${name}`, "torque", true, new ContactPath(motion, until, at.ground, "torque", palette), this.space);
     if (turns) this.#draw("ground-trace", `Path on the ${name}`, "axis-2", false, new ContactPath(motion, until, at.trace, "axis-2", palette), trace);
     this.#draw("body-path", "Path on the body", "omega", true, new ContactPath(motion, until, at.body, "omega", palette), this.body);
@@ -53,8 +58,15 @@ export class ContactScene {
     this.#put("surface", "Surface that touches", null, "area", true, group);
   }
 
-  pose(now: Moment, time: number): void {
+  /** Points of the edge of the ground. */
+  get rim(): readonly Vector3[] {
+    return this.#ground.rim;
+  }
+
+  /** `turned` converts a place in the body to space. */
+  pose(now: Moment, time: number, turned: (p: Vector3) => Vector3): void {
     this.#ground.pose(time);
+    this.#shadow?.pose(turned);
     for (const { path, layer } of this.#paths) if (layer.on.body === true) path.draw(now, time);
     const point = now.point ?? now.center;
     this.#touch.position.set(...point).divideScalar(this.#unit);

@@ -1,6 +1,6 @@
 /**
  * Geometry of a solid and its edges. Simple solids share one scaled geometry, so that a change of
- * size creates no new one. Round solids have marks, quarters in two greys.
+ * size creates no new one. Round solids have marks, quarters in two shades.
  */
 import {
   BoxGeometry,
@@ -141,13 +141,13 @@ function quadrants(x: number, y: number): boolean {
   return x * y > 0;
 }
 
-// Marks faces with a darker grey if their centres fulfil the rule.
+// Marks faces with a darker shade if their centres fulfil the rule.
 function marked(geometry: BufferGeometry, rule: (x: number, y: number, z: number) => boolean): BufferGeometry {
   const plain = geometry.index ? geometry.toNonIndexed() : geometry;
   const p = plain.attributes.position.array;
   const colors = new Float32Array(p.length).fill(1);
   for (let i = 0; i < p.length; i += 9) {
-    if (rule(p[i] + p[i + 3] + p[i + 6], p[i + 1] + p[i + 4] + p[i + 7], p[i + 2] + p[i + 5] + p[i + 8])) colors.fill(0.56, i, i + 9);
+    if (rule(p[i] + p[i + 3] + p[i + 6], p[i + 1] + p[i + 4] + p[i + 7], p[i + 2] + p[i + 5] + p[i + 8])) colors.fill(0.6, i, i + 9);
   }
   plain.setAttribute("color", new BufferAttribute(colors, 3));
   return plain;

@@ -12,7 +12,9 @@ import type { Palette } from "./palette";
 import { patch } from "./patch";
 
 /** Margin beyond the path, relative to the body's radius. */
-const MARGIN = 1.8;
+const MARGIN = 1.4;
+/** Part of a fading floor that the camera sees. */
+const SEEN = 0.82;
 /** Number of squares along the longer side. */
 const SQUARES = 12;
 const Z = new Vector3(0, 0, 1);
@@ -21,6 +23,8 @@ export class Ground {
   readonly object = new Group();
   /** Label, such as "Floor, squares of 50 mm". */
   readonly label: string;
+  /** Points of its edge. */
+  readonly rim: readonly Vector3[];
   readonly #rate: number;
   readonly #start: number;
   readonly #axis: Vector3;
@@ -38,6 +42,7 @@ export class Ground {
     const touched = points.slice(0, count).filter((_, i) => i === 0 || motion.times[i] <= contact.touchesUntil);
     const made = ground.form === "plane" ? plane(ground, points, unit, palette) : round(contact, touched, unit, palette);
     this.object.add(made.group);
+    this.rim = made.rim;
     this.label = made.label;
   }
 
@@ -49,6 +54,7 @@ export class Ground {
 
 interface Made {
   group: Group;
+  rim: Vector3[];
   label: string;
 }
 
@@ -60,8 +66,16 @@ function plane(ground: GroundData, points: Vector3[], unit: number, palette: Pal
   const [xs, ys] = [flat.map(({ x }) => x), flat.map(({ y }) => y)].map(range);
   const step = nice((Math.max(xs[1] - xs[0], ys[1] - ys[0]) * unit) / SQUARES) / unit;
   const [x, y] = [xs, ys].map(([from, to]): [number, number] => [Math.floor(from / step) * step, Math.ceil(to / step) * step]);
-  const group = patch({ at, u: x, v: y, alongV: steps(x, step), alongU: steps(y, step) }, palette);
-  return { group, label: `Floor, squares of ${metres(step * unit)}` };
+  const [middle, half] = [[x, y].map(([from, to]) => (from + to) / 2), [x, y].map(([from, to]) => (to - from) / 2)];
+  // 0 in the middle, 1 on a rounded rectangle in that of the patch.
+  const fade = (u: number, v: number): number => Math.hypot(((u - middle[0]) / half[0]) ** 2, ((v - middle[1]) / half[1]) ** 2) ** 0.5;
+  const group = patch({ at, u: x, v: y, alongV: steps(x, step), alongU: steps(y, step), fade }, palette);
+  const rim = spokes(48).map((angle) => {
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    const far = SEEN / Math.hypot(c ** 2, s ** 2) ** 0.5;
+    return at(middle[0] + far * c * half[0], middle[1] + far * s * half[1]);
+  });
+  return { group, rim, label: `Floor, squares of ${metres(step * unit)}` };
 }
 
 function turntable(flat: Vector3[], at: (x: number, y: number) => Vector3, unit: number, palette: Palette): Made {
@@ -72,7 +86,7 @@ function turntable(flat: Vector3[], at: (x: number, y: number) => Vector3, unit:
   const group = patch({ at: polar, u: [0, reach], v: [0, 2 * Math.PI], alongV: rings, alongU: spokes(12) }, palette);
   // One of its radii, which makes rotation visible.
   group.add(curve([...polar(0, 0).toArray(), ...polar(reach, 0).toArray()], 1, { ink: "quiet", width: 2.5 }, palette));
-  return { group, label: `Turntable, rings ${metres(step * unit)} apart` };
+  return { group, rim: spokes(48).map((angle) => polar(reach, angle)), label: `Turntable, rings ${metres(step * unit)} apart` };
 }
 
 /** Makes a sphere around its lowest or highest point, or a cylinder along its axis. */
@@ -92,7 +106,7 @@ function round({ ground, up }: Contact, points: Vector3[], unit: number, palette
     const at = (theta: number, phi: number): Vector3 => spherical(theta, phi).multiplyScalar(radius).applyQuaternion(turn);
     const circles = [1, 2, 3, 4, 5].map((k) => (k * angle) / 5);
     const group = patch({ at, u: [0, angle], v: [0, 2 * Math.PI], alongV: circles, alongU: spokes(16) }, palette);
-    return { group, label: ground.inside ? "Bowl" : "Hill" };
+    return { group, rim: spokes(48).map((phi) => at(angle, phi)), label: ground.inside ? "Bowl" : "Hill" };
   }
   const across = down.clone().addScaledVector(axis, -down.dot(axis));
   const first = (across.length() > 1e-9 ? across : mean.clone().addScaledVector(axis, -mean.dot(axis))).normalize();
@@ -105,7 +119,8 @@ function round({ ground, up }: Contact, points: Vector3[], unit: number, palette
   };
   const parts = [0, 1, 2, 3, 4, 5, 6, 7, 8].map((k) => k / 8);
   const lines = { alongV: parts.map((k) => (2 * k - 1) * most), alongU: parts.map((k) => along[0] + k * (along[1] - along[0])) };
-  return { group: patch({ at, u: [-most, most], v: along, ...lines }, palette), label: ground.inside ? "Trough" : "Ridge" };
+  const rim = along.flatMap((z) => parts.map((k) => at((2 * k - 1) * most, z)));
+  return { group: patch({ at, u: [-most, most], v: along, ...lines }, palette), rim, label: ground.inside ? "Trough" : "Ridge" };
 }
 
 function spherical(theta: number, phi: number): Vector3 {

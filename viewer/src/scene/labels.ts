@@ -18,6 +18,8 @@ export interface Label {
   tip: Vector3;
   /** For objects other than arrows: points next to which the label may be placed. */
   along?: Vector3[];
+  /** True if the label stands on one of the points, with a halo. */
+  isOn?: boolean;
 }
 
 export interface PlacedLabel extends Label {
@@ -72,9 +74,12 @@ export class Labels {
     this.#lines = svgElement("svg", { class: "leaders" });
     host.append(this.#lines);
     // Labels measured before the font was loaded are measured again.
-    void document.fonts.ready.then(() => {
-      for (const made of this.#made.values()) measure(made);
-    });
+    void document.fonts.ready.then(() => this.remeasure());
+  }
+
+  /** Measures the labels again, after a change of their type. */
+  remeasure(): void {
+    for (const made of this.#made.values()) measure(made);
   }
 
   /**
@@ -98,7 +103,9 @@ export class Labels {
     const shown = new Set<string>();
     for (const [k, label] of labels.entries()) {
       const made = this.#element(label);
-      const spot = label.along ? this.#beside(lines[k], made, field) : this.#outside(project(label.tip), shafts[k], made, field);
+      const beside = (): { at: Point; tip: Point } | null => (label.isOn ? this.#upon(lines[k], made, field) : null) ?? this.#beside(lines[k], made, field);
+      made.span.classList.toggle("on-line", label.isOn === true);
+      const spot = label.along ? beside() : this.#outside(project(label.tip), shafts[k], made, field);
       if (!spot) continue;
       shown.add(label.key ?? label.text);
       this.#put(label, made, spot);
@@ -186,6 +193,23 @@ export class Labels {
       }
     }
     return best;
+  }
+
+  /**
+   * Finds the point of a curve on which a label covers least, near its last place or the centre;
+   * null if there is none.
+   */
+  #upon(points: Point[], made: Made, { width, height, arrows, curves, middle }: Field): { at: Point; tip: Point } | null {
+    let best: Point | null = null;
+    let least = Infinity;
+    for (const [x, y] of points) {
+      if (x - made.w / 2 < 4 || x + made.w / 2 > width - 4 || y - made.h / 2 < 4 || y + made.h / 2 > height - 4) continue;
+      const covered = 60 * arrows.count(x, y, made.w, made.h) + 8 * curves.count(x, y, made.w, made.h);
+      const cost = covered + 0.3 * Math.hypot(x - middle[0], y - middle[1]);
+      if (cost >= least || this.#isTaken(x, y, made)) continue;
+      [least, best] = [cost, [x, y]];
+    }
+    return best && { at: best, tip: best };
   }
 
   #isTaken(x: number, y: number, made: Made): boolean {

@@ -21,9 +21,10 @@ import type { Layer, Picture } from "./layers";
 import { Marker } from "./marker";
 import type { Palette } from "./palette";
 import { Poinsot } from "./poinsot";
+import { Sky } from "./sky";
 import { MomentumSphere } from "./sphere";
 import { HeavyBody } from "./top";
-import { axis, Trail, type TrailCurves, type Trailed } from "./trails";
+import { axis, telling, Trail, type TrailCurves, type Trailed } from "./trails";
 import { Wheels } from "./wheels";
 
 /** Length of the longest arrow in the body's picture, relative to the body's radius. */
@@ -69,6 +70,7 @@ export class MotionScene {
   readonly #heavy: HeavyBody | null;
   readonly #contact: ContactScene | null;
   readonly #wheels: Wheels | null;
+  readonly #sky: Sky | null;
   readonly #contents: Contents;
   /** Pairs of a picture and a layer that is on in it at first. */
   readonly #first: Set<string>;
@@ -98,9 +100,10 @@ export class MotionScene {
     this.#free = page.free !== null && page.free.energy > 0 && page.free.momentum > 0 ? page.free : null;
     this.pictures = this.#free ? ["body", "poinsot", "cones", "sphere"] : ["body"];
     this.#axes = new Axes(this.principal, AXES, 0.92 * LONGEST, palette);
-    this.#heavy = HeavyBody.of(page, motion, this.model.radius, AXES, palette);
-    this.#contact = motion.contact && new ContactScene(motion.contact, motion, this.model.radius, palette);
+    this.#heavy = HeavyBody.of(page, motion, this.model, AXES, palette);
+    this.#contact = motion.contact && new ContactScene(motion.contact, motion, this.model.radius, this.model.outline, palette);
     this.#wheels = motion.wheels.length > 0 ? new Wheels(motion, this.scales.momentum, palette) : null;
+    this.#sky = Sky.of(motion, palette);
     this.omega = new Arrow("omega", THICK, palette);
     this.#momentum = new Arrow("ink", THICK, palette);
     this.#torque = new Arrow("torque", THICK, palette);
@@ -148,7 +151,7 @@ export class MotionScene {
     const now = this.#motion.at(time);
     if (held) now.attitude = held;
     this.#turn(now, time, picture);
-    this.#contact?.pose(now, time);
+    this.#contact?.pose(now, time, this.#turned);
     if (picture === "body") this.#drawTrail(time, now, trailed, trails);
     if (picture === "cones") this.cones?.draw(time);
     if (picture === "sphere") this.sphere?.draw(rotate(inverse(now.attitude), now.momentum));
@@ -204,7 +207,8 @@ export class MotionScene {
         // body.
         const moved = moves && isWhole ? outline.map(this.#turned) : [];
         if (goesAlong) origin.copy(this.middle);
-        return [...named, ...moved, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().sub(origin).applyQuaternion(back));
+        const ground = goesAlong || !seen("ground") ? [] : (this.#contact?.rim ?? []);
+        return [...named, ...moved, ...ground, ...(this.#heavy?.floor(seen) ?? [])].map((p) => p.clone().sub(origin).applyQuaternion(back));
       },
       rigid: isSphere ? directions(100) : moves ? [] : outline,
       turn: () => (isSphere ? back.clone() : back.clone().multiply(this.body.quaternion)),
@@ -230,11 +234,16 @@ export class MotionScene {
     // Except in the body's picture, only the direction of L is meaningful.
     const shown = picture === "poinsot" ? (this.poinsot?.arrow ?? 1) : 1.25;
     const long = picture === "body" ? this.scales.momentum : shown / length(now.momentum);
-    this.#momentum.point(...(now.momentum.map((c) => c * long) as Vector));
+    // Arrows begin on the momentum sphere, not in it.
+    const foot = picture === "sphere" ? 1 : 0;
+    const [lx, ly, lz] = now.momentum.map((c) => c * long);
+    this.#momentum.point(lx, ly, lz, foot);
+    this.#axes.begin(foot);
     if (now.torque) this.#torque.point(...(now.torque.map((c) => c * this.scales.torque) as Vector));
     if (picture === "body") {
-      this.#heavy?.pose(now.attitude);
+      this.#heavy?.pose(now.attitude, this.#turned);
       this.#wheels?.pose(time);
+      this.#sky?.pose(time);
     }
   }
 
@@ -256,7 +265,7 @@ export class MotionScene {
     if (on("momentum") && this.#momentum.drawn) labels.push({ text: "𝐋", ink: "ink", tip: from(this.#momentum) });
     if (on("torque") && this.#torque.drawn) labels.push({ text: "𝐍", ink: "torque", tip: from(this.#torque) });
     labels.push(...this.#axes.labels(on, turned));
-    if (picture === "body") labels.push(...(this.#wheels?.labels(on, time, turned) ?? []), ...(this.#heavy?.labels(on) ?? []));
+    if (picture === "body") labels.push(...(this.#sky?.labels(on, turned) ?? []), ...(this.#wheels?.labels(on, time, turned) ?? []), ...(this.#heavy?.labels(on) ?? []));
     if (picture === "poinsot") labels.push(...(this.poinsot?.labels(on, turned) ?? []));
     if (picture === "cones") labels.push(...(this.cones?.labels(on, turned) ?? []));
     if (picture === "sphere" && eye) labels.push(...(this.sphere?.labels(on, turned, eye) ?? []));
@@ -319,6 +328,14 @@ export class MotionScene {
       this.body.add(this.#wheels.rings, this.#wheels.arrows);
       this.layers.push(...this.#wheels.layers);
     }
+    if (this.#sky) {
+      this.space.add(this.#sky.space);
+      this.body.add(this.#sky.body);
+      this.layers.push(...this.#sky.layers);
+      // A satellite is seen against its directions; the rest is on request.
+      const others = ["momentum", "torque", "space-axes", "trail"];
+      if (this.#motion.directions.some(({ name }) => name === "nadir")) for (const layer of this.layers) if (others.includes(layer.id)) layer.on.body = false;
+    }
     if (this.#free) this.#describe(this.#free);
   }
 
@@ -368,22 +385,6 @@ function scale(before: number | undefined, telling: number, ...rows: Float64Arra
   for (const values of rows) for (let i = 0; i < telling; i += 1) most = Math.max(most, Math.abs(values[i]));
   if (before && most * before >= KEPT[0] && most * before <= KEPT[1]) return before;
   return most > 0 ? LONGEST / most : 0;
-}
-
-/**
- * Returns the body axis with the most informative trail: that of the lever, the symmetry axis, else
- * the axis nearest to ω at the start.
- */
-function telling(page: PageData, motion: Motion): Trailed {
-  const { lever, principal } = page.body;
-  const [i1, i2, i3] = principal.moments;
-  const like = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-6 * i3;
-  let v: Vector = [motion.omega[0], motion.omega[1], motion.omega[2]];
-  if (length(lever) > 0) v = lever;
-  else if (like(i1, i2) && !like(i2, i3)) v = rotate(principal.quaternion, [0, 0, 1]);
-  else if (like(i2, i3) && !like(i1, i2)) v = rotate(principal.quaternion, [1, 0, 0]);
-  const sizes = v.map(Math.abs);
-  return (["axis-1", "axis-2", "axis-3"] as const)[sizes.indexOf(Math.max(...sizes))] ?? "axis-1";
 }
 
 // Returns the rim of the unit sphere as seen by a camera.

@@ -3,7 +3,7 @@
  * are contours of T on it. The separatrix divides those around the axis of least moment from those
  * around that of greatest.
  */
-import { Group, Mesh, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
+import { BackSide, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
 import type { BodyData, FreeData, Row } from "../data";
 import { points } from "../decode";
 import { kept } from "./dispose";
@@ -13,10 +13,14 @@ import { Marker } from "./marker";
 import type { Palette } from "./palette";
 import { spread } from "./poinsot";
 
-/** Radius of the lines on the sphere. */
-const ABOVE = 1.004;
+/** Radius of the lines on the sphere, and of a shell whose inside is its rim, beyond the lines. */
+const ABOVE = 1.002;
+const RIM = 1.014;
 
-const SPHERE = kept(new SphereGeometry(1, 96, 64));
+/** Distance between curves that are told apart. */
+const APART = 0.12;
+
+const SPHERE = kept(new SphereGeometry(1, 128, 96));
 
 export class MomentumSphere {
   /** Group that rotates with the body. */
@@ -28,11 +32,14 @@ export class MomentumSphere {
   readonly middle = new Vector3();
   /** Mark at the current L/|L|. */
   readonly mark: Group;
-  readonly #separatrices: Vector3[];
+  /** Points of the separatrix that are apart from the curve of this motion, and all. */
+  readonly #separatrices: [Vector3[], Vector3[]];
 
   constructor(free: FreeData, body: BodyData, palette: Palette) {
-    const material = palette.shared("sphere", "solid", () => new MeshStandardMaterial({ roughness: 0.85 }));
-    this.object.add(new Mesh(SPHERE, material));
+    const material = palette.shared("sphere", "solid", () => new MeshStandardMaterial({ roughness: 0.85, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 4 }));
+    const rim = new Mesh(SPHERE, palette.shared("rim", "faint", () => new MeshBasicMaterial({ side: BackSide })));
+    rim.scale.setScalar(RIM);
+    this.object.add(new Mesh(SPHERE, material), rim);
     const draw = (into: Group, rows: Row[], what: string, pen: Parameters<typeof curve>[2]): void => {
       for (const row of rows) {
         const line = points(row, what);
@@ -45,7 +52,11 @@ export class MomentumSphere {
     const trace = points(free.trace, "trace");
     for (let i = 0; i < trace.length; i += 3) this.middle.add(new Vector3().fromArray(trace, i));
     this.middle.normalize();
-    this.#separatrices = free.separatrix.flatMap((row) => spread(points(row, "separatrix"), ABOVE));
+    const all = free.separatrix.flatMap((row) => spread(points(row, "separatrix"), ABOVE));
+    const near = Array.from({ length: trace.length / 3 }, (_, i) => new Vector3().fromArray(trace, 3 * i));
+    // Where this motion is close to it, the name could be that of the motion.
+    const apart = all.filter((p) => near.every((q) => p.distanceTo(q) > APART));
+    this.#separatrices = [apart, all];
     this.mark = new Marker("ink", 0.034, true, palette).object;
     this.object.add(this.family, this.separatrix, this.trace, this.mark);
     const [w, x, y, z] = body.principal.quaternion;
@@ -61,8 +72,12 @@ export class MomentumSphere {
   /** Returns labels visible from `eye`; `turned` converts a place in the body to space. */
   labels(on: (id: string) => boolean, turned: (p: Vector3) => Vector3, eye: Vector3): Label[] {
     if (!on("separatrix")) return [];
-    const places = this.#separatrices.map((p) => turned(p.clone().applyQuaternion(this.object.quaternion)));
-    const along = places.filter((p) => p.dot(eye) > 0.35 * eye.length());
-    return along.length > 0 ? [{ text: "separatrix", ink: "ink", tip: along[0], along }] : [];
+    const seen = (points: Vector3[], least: number): Vector3[] => {
+      const places = points.map((p) => turned(p.clone().applyQuaternion(this.object.quaternion)));
+      return places.filter((p) => p.dot(eye) > least * eye.length());
+    };
+    const apart = seen(this.#separatrices[0], 0.15);
+    const along = apart.length > 0 ? apart : seen(this.#separatrices[1], 0.35);
+    return along.length > 0 ? [{ text: "separatrix", ink: "ink", tip: along[0], along, isOn: true }] : [];
   }
 }

@@ -8,11 +8,13 @@ import type { PageData, TopData } from "../data";
 import { length, type Motion } from "../motion";
 import { axisPath, directionOf } from "../plot/axis-path";
 import { Arrow } from "./arrows";
+import type { BodyModel } from "./body";
 import type { Label } from "./labels";
 import type { Layer } from "./layers";
 import { curve } from "./lines";
 import type { Palette } from "./palette";
 import { plane, rim } from "./plane";
+import { Shadow } from "./shadow";
 
 const FLOOR = 0.95;
 
@@ -26,17 +28,17 @@ export class HeavyBody {
   readonly #arrow: Arrow;
   readonly #lever: Vector;
   readonly #down: Vector3;
+  #shadow: Shadow | null = null;
 
   /**
-   * Makes the objects; null without gravity. `unit`: metres of length 1; `reach`: length of the
-   * axis.
+   * Makes the objects; null without gravity. `reach`: length of the axis.
    */
-  static of(page: PageData, motion: Motion, unit: number, reach: number, palette: Palette): HeavyBody | null {
+  static of(page: PageData, motion: Motion, { radius, outline }: BodyModel, reach: number, palette: Palette): HeavyBody | null {
     const { gravity } = page.scene;
-    return gravity && length(gravity) > 0 ? new HeavyBody(page, gravity, motion, unit, reach, palette) : null;
+    return gravity && length(gravity) > 0 ? new HeavyBody(page, gravity, motion, radius, outline, reach, palette) : null;
   }
 
-  private constructor(page: PageData, gravity: Vector, motion: Motion, unit: number, reach: number, palette: Palette) {
+  private constructor(page: PageData, gravity: Vector, motion: Motion, unit: number, outline: readonly Vector3[], reach: number, palette: Palette) {
     this.#down = new Vector3(...gravity).normalize();
     this.#lever = page.body.lever.map((x) => x / unit) as Vector;
     this.#arrow = new Arrow("quiet", 0.014, palette);
@@ -46,8 +48,12 @@ export class HeavyBody {
     if (standsUpright(motion, page.body.lever, this.#down)) {
       const floor = plane(FLOOR, palette);
       floor.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), this.#down.clone().negate());
+      this.#shadow = new Shadow(this.#down.clone().negate(), outline, palette);
       this.#floor = rim(FLOOR).map((p) => p.applyQuaternion(floor.quaternion));
-      this.#put({ id: "floor", label: "Floor", ink: "faint", look: "area", on: { body: true }, objects: [floor] }, floor);
+      this.#put({ id: "floor", label: "Floor", ink: "faint", look: "area", on: { body: true }, objects: [floor, this.#shadow.object] }, floor);
+      const below = new Group();
+      below.add(this.#shadow.object);
+      this.objects.push(below);
     }
   }
 
@@ -77,7 +83,9 @@ export class HeavyBody {
     this.#put({ id: "bounds", label, ink: "axis-2", look: "line", on: { body: true }, objects: [circles] }, circles);
   }
 
-  pose(attitude: Quaternion): void {
+  /** `turned` converts a place in the body to space. */
+  pose(attitude: Quaternion, turned: (p: Vector3) => Vector3): void {
+    this.#shadow?.pose(turned);
     const middle = new Vector3(...rotate(attitude, this.#lever));
     this.#arrow.object.position.copy(middle);
     this.#arrow.point(...(this.#down.clone().multiplyScalar(0.62).toArray() as Vector));

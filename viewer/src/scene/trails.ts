@@ -1,8 +1,9 @@
 /** Trail of a point in space: of a body axis, or of the tip of ω. */
 import { Group } from "three";
-import { type Vector, writeRotated } from "../attitude";
+import { rotate, type Vector, writeRotated } from "../attitude";
 import { indexAt } from "../clock";
-import type { Motion } from "../motion";
+import type { PageData } from "../data";
+import { length, type Motion } from "../motion";
 import { MovingCurve } from "./lines";
 import type { Palette } from "./palette";
 
@@ -159,3 +160,19 @@ export function axis(which: Exclude<Trailed, "omega">): Vector {
 }
 
 const AXES: [Vector, Vector, Vector] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+
+/**
+ * Returns the body axis with the most informative trail: that of the lever, the symmetry axis, else
+ * the axis nearest to ω at the start.
+ */
+export function telling(page: PageData, motion: Motion): Trailed {
+  const { lever, principal } = page.body;
+  const [i1, i2, i3] = principal.moments;
+  const like = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-6 * i3;
+  let v: Vector = [motion.omega[0], motion.omega[1], motion.omega[2]];
+  if (length(lever) > 0) v = lever;
+  else if (like(i1, i2) && !like(i2, i3)) v = rotate(principal.quaternion, [0, 0, 1]);
+  else if (like(i2, i3) && !like(i1, i2)) v = rotate(principal.quaternion, [1, 0, 0]);
+  const sizes = v.map(Math.abs);
+  return (["axis-1", "axis-2", "axis-3"] as const)[sizes.indexOf(Math.max(...sizes))] ?? "axis-1";
+}

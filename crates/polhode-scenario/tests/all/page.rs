@@ -2,7 +2,9 @@
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use polhode::body::shape::{Cone, Tetrahedron};
-use polhode::motion::{ClosedForm, EventAction, Measure, Mechanism, Pointing, Reference, Sense, Solution};
+use polhode::motion::{
+    ClosedForm, EventAction, MU_EARTH, Measure, Mechanism, Orbit, Pointing, Reference, Sense, Solution,
+};
 use polhode::prelude::*;
 use polhode_document::Document;
 use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page, page_rows};
@@ -186,6 +188,36 @@ fn wheels_events_and_switches_are_on_the_page() {
     assert_eq!(brake[2], "model constant, off until the event \"too fast\"");
 }
 
+/// A satellite has its nadir and velocity at each sample, and the targets of its pointings.
+#[test]
+fn directions_of_an_orbit_are_on_the_page() {
+    let radial = Direction::new(0.48, -0.6, 0.64);
+    let orbit = Orbit::circular(MU_EARTH, 7.1e6, radial, Direction::new(0.8, 0.0, -0.6)).unwrap();
+    let camera =
+        Pointing::new("camera", Direction::new(0.6, 0.0, 0.8), Reference::Nadir(orbit.clone())).unwrap();
+    let camera = camera.with_limit(0.25).unwrap();
+    let (data, trajectory) =
+        page_of(&crate::common::thruster().in_orbit(orbit.clone()).unwrap().pointing(vec![camera]));
+    let motion = &data["motion"];
+    let [nadir, velocity] = &motion["directions"].as_array().unwrap()[..] else { panic!("{motion}") };
+    assert_eq!((&nadir["name"], &velocity["name"]), (&"nadir".into(), &"velocity".into()));
+    assert_eq!(
+        (&motion["pointings"][0]["target"], &motion["pointings"][0]["limit"]),
+        (&0.into(), &0.25.into())
+    );
+    let rows = [&nadir["values"], &velocity["values"]].map(floats);
+    for (k, sample) in trajectory.samples().iter().enumerate() {
+        let time = sample.state.time;
+        let position = orbit.position(time).to_array().map(|x| -x / 7.1e6);
+        let speed = orbit.velocity(time).norm();
+        let along = orbit.velocity(time).to_array().map(|v| v / speed);
+        for c in 0..3 {
+            assert!((f64::from(rows[0][3 * k + c]) - position[c]).abs() < 1e-7);
+            assert!((f64::from(rows[1][3 * k + c]) - along[c]).abs() < 1e-7);
+        }
+    }
+}
+
 /// Pointings, work and a top's axis are on the page, but only for motions that have them.
 #[test]
 fn pointings_work_and_the_axis_of_a_top_are_on_the_page() {
@@ -203,6 +235,10 @@ fn pointings_work_and_the_axis_of_a_top_are_on_the_page() {
         assert_eq!(doubles(&work["values"])[k].to_bits(), sample.work.to_bits());
     }
     assert_eq!(data["top"], Value::Null);
+    assert_eq!((&line["target"], &line["limit"]), (&0.into(), &Value::Null));
+    let direction = &data["motion"]["directions"][0];
+    assert_eq!(direction["name"], "target of <b>camera</b>");
+    assert_eq!(direction["fixed"], serde_json::json!([0.0, 1.0, 0.0]));
 
     // Gravity and the arm are along x. Up is −x, and φ starts at y, the horizontal axis.
     let (data, trajectory) = page_of(&crate::common::pendulum());

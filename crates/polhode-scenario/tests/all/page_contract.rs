@@ -124,6 +124,9 @@ fn keys_are_those_of_the_contract() {
         for line in data["motion"]["pointings"].as_array().unwrap() {
             agree("pointings", line, &[]);
         }
+        for line in data["motion"]["directions"].as_array().unwrap() {
+            agree("directions", line, &[]);
+        }
         let contact = &data["motion"]["contact"];
         if !contact.is_null() {
             agree("ContactData", contact, &[]);

@@ -11,6 +11,7 @@ mod cones;
 mod contact;
 mod data;
 mod decimate;
+mod directions;
 mod explanation;
 mod facts;
 mod free;

@@ -3,11 +3,12 @@
 use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::ContactState;
 use polhode::motion::{Crossing, Pointing, Sample, Trajectory, Wheel};
-use polhode_document::json::finite;
+use polhode_document::json::{finite, numbers};
 use polhode_document::layout::printable;
 use serde_json::{Value, json};
 
 use super::PageSubject;
+use super::directions::Directions;
 use super::rows::Rows;
 use crate::report::balance::{Balance, Driven, balances, has_potential};
 use crate::report::plot::series;
@@ -29,6 +30,7 @@ pub(crate) struct Shown<'a> {
     pub method: &'static str,
     wheels: Vec<(String, Wheel)>,
     pointings: Vec<Pointing>,
+    directions: Directions,
     events: Vec<(f64, String)>,
     is_complete: bool,
 }
@@ -44,6 +46,10 @@ impl<'a> Shown<'a> {
                 (Driven::of(scenario), named_wheels(scenario), series::pointings(scenario))
             }
             PageSubject::Moments(_) => (Driven::default(), Vec::new(), Vec::new()),
+        };
+        let directions = match *subject {
+            PageSubject::Scenario(scenario) => Directions::of(scenario, &pointings),
+            PageSubject::Moments(_) => Directions::default(),
         };
         let mut drift = balances(trajectory, driven);
         let mut samples = vec![trajectory.start()];
@@ -66,6 +72,7 @@ impl<'a> Shown<'a> {
             method: trajectory.solution().name(),
             wheels,
             pointings,
+            directions,
             events: events(trajectory),
             is_complete: trajectory.ending().is_complete(),
         }
@@ -100,11 +107,17 @@ impl<'a> Shown<'a> {
     /// Returns the pointing angles between body directions and nadir, velocity or other references,
     /// rad.
     fn pointings(&self, rows: &mut Rows) -> Value {
-        let one = |pointing: &Pointing| {
+        let one = |(k, pointing): (usize, &Pointing)| {
             let angle = |s: &Sample| [finite(pointing.angle(&s.state))];
-            json!({ "name": printable(pointing.name()), "values": self.row(rows, angle) })
+            json!({
+                "name": printable(pointing.name()),
+                "body": numbers(&pointing.body().to_array().map(finite)),
+                "target": self.directions.target(k),
+                "limit": pointing.limit(),
+                "values": self.row(rows, angle),
+            })
         };
-        self.pointings.iter().map(one).collect()
+        self.pointings.iter().enumerate().map(one).collect()
     }
 
     /// Returns the work of the torques or motors since the start, J.
@@ -181,6 +194,7 @@ pub(crate) fn json(shown: &Shown<'_>, contact: &Value, rows: &mut Rows) -> Value
         "drift": shown.drift(rows),
         "wheels": shown.wheels(rows),
         "pointings": shown.pointings(rows),
+        "directions": shown.directions.json(&shown.samples),
         "events": shown.events(),
         "eventCount": shown.events.len(),
         "contact": contact,

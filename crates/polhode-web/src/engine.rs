@@ -67,12 +67,7 @@ impl Engine {
     }
 
     /// Begins with a lesson, and returns its id.
-    fn begin_lesson(
-        &self,
-        name: &Path,
-        files: &dyn Files,
-        watch: &dyn Watch,
-    ) -> Result<&str, LessonError> {
+    fn begin_lesson(&self, name: &Path, files: &dyn Files, watch: &dyn Watch) -> Result<&str, LessonError> {
         let id = self.lessons.begin_with(name)?;
         self.lessons.open(id, &self.documents, files, watch).map_err(|error| match error {
             lesson::Error::Wrong(error) => error,
@@ -236,9 +231,9 @@ impl Engine {
                 with_rows(&answer, answer.motion.as_ref().map_or(&[], |motion| &motion.rows))
             }
             Message::Complete(request) => json(&self.complete(&request)?),
-            Message::LessonFile { path } => {
-                json(&serde_json::json!({ "id": self.begin_lesson(&path, files, watch).map_err(lesson::Error::Wrong)? }))
-            }
+            Message::LessonFile { path } => json(
+                &serde_json::json!({ "id": self.begin_lesson(&path, files, watch).map_err(lesson::Error::Wrong)? }),
+            ),
             Message::Open { path, set } => {
                 let set = set.map(|folder| DroppedSet::of(folder, files));
                 json(&self.open(&path, set.as_ref(), files, watch)?)

@@ -2,19 +2,28 @@
  * Presentation: full screen with large type, where a key reveals one step after the other: the
  * body, the answer, then the sections of the open panel.
  */
-import type { App } from "./app";
 import { byId } from "./dom";
+import type { Tabs } from "./panels/tabs";
 
 /** Size of the type of plots relative to that of the page. */
 const LARGE = 1.5;
 /** Steps before the sections of the panel: the body alone, and the answer. */
 const FIRST = 2;
 
+/** What a presentation changes. */
+interface Presented {
+  /** Actions of keys. */
+  keys: Map<string, () => void>;
+  tabs: Tabs;
+  /** Sets the size of the type of plots. */
+  magnify(size: number): void;
+}
+
 export class Presentation {
-  readonly #app: App;
+  readonly #app: Presented;
   #step: number | null = null;
 
-  constructor(app: App) {
+  constructor(app: Presented) {
     this.#app = app;
     byId("present").addEventListener("click", () => this.toggle());
     app.keys.set("p", () => this.toggle());

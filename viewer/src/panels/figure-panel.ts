@@ -1,27 +1,13 @@
 /** Section of a figure: its title with buttons for saving, its constants as text, and its plots. */
 import type uPlot from "uplot";
-import type { Phase } from "../contact";
 import { element } from "../dom";
 import { type Arranged, arrange, sentences } from "../plot/arrange";
-import { type Marked, marksOf } from "../plot/events";
+import { marksOf } from "../plot/events";
 import { svgOf } from "../plot/figure-svg";
 import type { Figure } from "../plot/lines";
 import { bandsOf } from "../plot/phases";
 import { saveButtons } from "../save/plot-buttons";
-import { TimePlot } from "./time-plot";
-
-/** Data that all figures of a motion share. */
-export interface Shared {
-  times: Float64Array;
-  unit: { name: string; seconds: number };
-  marked: readonly Marked[];
-  /** Phases of a body on the ground. */
-  phases: readonly Phase[];
-  /** Size of the type, relative to that of the page. */
-  size: number;
-  /** Name of saved files. */
-  file: string;
-}
+import { type Shared, TimePlot } from "./time-plot";
 
 export class FigurePanel {
   readonly host: HTMLElement;

@@ -17,8 +17,8 @@ import { marked } from "../plot/events";
 import type { Figure } from "../plot/lines";
 import { AxisPicture } from "./axis-picture";
 import { eventKey, phaseKey } from "./events";
-import { FigurePanel, type Shared } from "./figure-panel";
-import type { TimePlot } from "./time-plot";
+import { FigurePanel } from "./figure-panel";
+import type { Shared, TimePlot } from "./time-plot";
 
 /** Delay after the last change until invisible plots are drawn, ms. */
 const QUIET = 300;

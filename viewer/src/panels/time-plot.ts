@@ -3,17 +3,30 @@
  * and the events.
  */
 import uPlot from "uplot";
+import type { Phase } from "../contact";
 import { element } from "../dom";
 import { mark, number, powerOfTen } from "../format";
 import type { Stack } from "../plot/arrange";
 import { curve, largestSoFar } from "../plot/curve";
 import { envelopes } from "../plot/envelope";
-import { labels, type Mark } from "../plot/events";
+import { labels, type Mark, type Marked } from "../plot/events";
 import type { Figure, Line } from "../plot/lines";
 import { type Band, STRENGTH } from "../plot/phases";
 import { decades, extent, logRange, padded, ticks } from "../plot/scale";
 import { ink } from "../theme";
-import type { Shared } from "./figure-panel";
+
+/** Data that all figures of a motion share. */
+export interface Shared {
+  times: Float64Array;
+  unit: { name: string; seconds: number };
+  marked: readonly Marked[];
+  /** Phases of a body on the ground. */
+  phases: readonly Phase[];
+  /** Size of the type, relative to that of the page. */
+  size: number;
+  /** Name of saved files. */
+  file: string;
+}
 
 /** Heights of the frame and of the areas around it, px. */
 const FRAME = { alone: 126, stacked: 104 };

@@ -168,7 +168,7 @@ impl Scenario {
     /// use polhode::body::InertiaTensor;
     /// use polhode::motion::{MassHistory, MassRow, Method, Outflow, Run};
     /// use polhode::prelude::*;
-    /// // A ball of 1 kg drops half of itself at 2 s and keeps its ω; from then on the same torque
+    /// // A ball of 1 kg drops half of its mass at 2 s and keeps its ω; from then on the same torque
     /// // makes it faster twice as fast.
     /// let ball = |mass: f64| MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([0.4 * mass; 3])?);
     /// let row = |time, body| MassRow { time, body, rates: None };

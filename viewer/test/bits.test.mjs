@@ -7,8 +7,8 @@ import { emptyPage, launch } from "./browser.mjs";
 import { engine, path } from "./module.mjs";
 import { readFileSync } from "node:fs";
 
-const FREE = 500;
-const FORCED = 100;
+const FREE = 10_000;
+const FORCED = 1_000;
 
 /** Random numbers in [0, 1) from a seed (mulberry32). */
 function random(seed) {

@@ -69,7 +69,8 @@ fn it_serves_until_it_is_told_to_end() {
     stream.read_to_end(&mut answer).unwrap();
     let answer = String::from_utf8_lossy(&answer);
     assert!(answer.starts_with("HTTP/1.1 200") && answer.contains("t-handle.toml"), "{answer}");
-    let told = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    // Where a shell has started the tests in the background, SIGINT is ignored.
+    let told = std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap();
     let ended = child.wait().unwrap();
-    assert_eq!((told.success(), std::os::unix::process::ExitStatusExt::signal(&ended)), (true, Some(2)));
+    assert_eq!((told.success(), std::os::unix::process::ExitStatusExt::signal(&ended)), (true, Some(15)));
 }

@@ -70,11 +70,7 @@ pub(crate) trait Splat: Number {
 pub(crate) const FUSED: bool = cfg!(any(
     target_arch = "aarch64",
     target_feature = "fma",
-    all(
-        feature = "simd",
-        not(all(no_avx512, no_avx2)),
-        any(target_arch = "x86", target_arch = "x86_64")
-    ),
+    all(feature = "simd", not(all(no_avx512, no_avx2)), any(target_arch = "x86", target_arch = "x86_64")),
 ));
 
 /// Returns a·b + c, fused if [`FUSED`] is true.

@@ -1,7 +1,7 @@
 // Builds the pages. Without arguments: the replay that polhode writes, one HTML file with its style and script inside and a placeholder for the
 // data, and what notebooks have around it, in crates/polhode-scenario/assets/viewer.html and crates/polhode-py/python/polhode/; with --check it only
 // compares, and fails if those files are not this build.
-// With --module MODULE.wasm[.gz] --page PAGE.html: the interactive page, one file with the engine, the script and the style inside.
+// With --module MODULE.wasm[.gz] --page PAGE.html [--commit COMMIT]: the interactive page, one file with the engine, the script and the style inside.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -9,7 +9,7 @@ import { parseArgs } from "node:util";
 import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
 
-const { values: given } = parseArgs({ options: { check: { type: "boolean" }, plain: { type: "boolean" }, module: { type: "string" }, page: { type: "string" } } });
+const { values: given } = parseArgs({ options: { check: { type: "boolean" }, plain: { type: "boolean" }, module: { type: "string" }, page: { type: "string" }, commit: { type: "string" } } });
 const here = dirname(fileURLToPath(import.meta.url));
 const assets = (crate) => resolve(here, `../crates/${crate}/assets`);
 const read = (path) => readFileSync(resolve(here, path), "utf8");
@@ -101,7 +101,9 @@ async function interactive() {
   ];
   const policy = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";
   let page = index.replace(/(<meta http-equiv="Content-Security-Policy" content=")[^"]*/, (_, start) => start + policy);
-  page = put(page, "<!--banner-->", banner.replace("\nuPlot", `\nCodeMirror ${codemirror}, MIT licence, copyright 2018-2026 Marijn Haverbeke and others,\nuPlot`));
+  const licences = banner.replace("\nuPlot", `\nCodeMirror ${codemirror}, MIT licence, copyright 2018-2026 Marijn Haverbeke and others,\nuPlot`);
+  const built = given.commit ? `of commit ${given.commit} by "cargo xtask page"` : 'by "cargo xtask viewer"';
+  page = put(page, "<!--banner-->", licences.replace('from viewer/ by "npm run build"', `with the engine, ${built}`));
   page = put(page, "<!--style-->", '<link rel="icon" href="data:,">\n<style id="starting">body > * { visibility: hidden } #problem { visibility: visible }</style>');
   page = put(page, "<!--polhode-data-->", "<!--polhode-files-->");
   return { [resolve(given.page)]: put(page, "<!--script-->", parts.join("\n")) };

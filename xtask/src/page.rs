@@ -48,12 +48,13 @@ pub(crate) fn build(build: Build) -> Outcome {
     std::fs::copy(&built, &module).map_err(|error| format!("{}: {error}", built.display()))?;
     let module = if build == Build::Release { packed(&module)? } else { module };
     let page = folder.join("polhode.html");
-    run(Command::new("node")
-        .args(["build.mjs", "--module"])
-        .arg(&module)
-        .arg("--page")
-        .arg(&page)
-        .current_dir(root().join("viewer")))?;
+    let mut viewer = Command::new("node");
+    viewer.args(["build.mjs", "--module"]).arg(&module).arg("--page").arg(&page);
+    if build == Build::Release {
+        let commit = output(Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root()))?;
+        viewer.args(["--commit", commit.trim()]);
+    }
+    run(viewer.current_dir(root().join("viewer")))?;
     if build == Build::Release { size() } else { Ok(()) }
 }
 

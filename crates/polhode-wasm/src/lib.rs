@@ -1,8 +1,8 @@
 //! The engine of the interactive page as a WebAssembly module.
 //!
-//! A worker of the page writes bytes to the memory at [`input`], and then calls [`put`] to add
-//! them as a file, or [`answer`] to have them answered as a request of `polhode_web::Message` in
-//! JSON. The answer has [`answer_length`] bytes and is valid until the next call.
+//! A worker of the page writes bytes to the memory at `input`, and then calls `put` to add
+//! them as a file, or `answer` to have them answered as a request of `polhode_web::Message` in
+//! JSON. The answer has `answer_length` bytes and is valid until the next call.
 //!
 //! The module has one thread, no clock and no access to files, except for two functions of the
 //! worker: `now`, milliseconds, for limits of time; and `panicked`, the message of a defect, after

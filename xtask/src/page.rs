@@ -34,7 +34,7 @@ pub(crate) fn build(build: Build) -> Outcome {
     let mut command = cargo(&arguments);
     let mut flags = format!("-Clink-arg=--max-memory={MEMORY}");
     if build == Build::Release {
-        // Without messages of defects, which take a twentieth of the module.
+        // Without messages of defects, which make the module larger.
         flags += " -Zunstable-options -Cpanic=immediate-abort";
     }
     // Vectors of two numbers make the module 4 % smaller, and contact 2.4 times as fast; browsers have

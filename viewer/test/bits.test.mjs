@@ -69,7 +69,7 @@ const native = () => {
   return stdout.trim().split("\n");
 };
 
-test("11,000 random motions have the bits of the native engine, in Node", { skip: !process.env.POLHODE_ANSWERS && "POLHODE_ANSWERS names no program" }, () => {
+test("11,000 random motions have the bits of the native engine, in Node", () => {
   const expected = native();
   const { answer, ask } = engine();
   const found = asked.map((message) => hash(rows(answer(message))));
@@ -80,7 +80,7 @@ test("11,000 random motions have the bits of the native engine, in Node", { skip
   assert.equal(new Set(expected.slice(1)).size, expected.length - 1);
 });
 
-test("11,000 random motions have the bits of the native engine, in Chromium", { skip: !process.env.POLHODE_ANSWERS && "POLHODE_ANSWERS names no program" }, async () => {
+test("11,000 random motions have the bits of the native engine, in Chromium", async () => {
   const expected = native();
   const browser = await launch();
   const { page } = await emptyPage(browser, { viewport: { width: 200, height: 200 } });

@@ -98,6 +98,14 @@ test("a link restores the scenario of another page", async () => {
   await close();
 });
 
+test("a damaged link is reported beside the example", async () => {
+  const { page, problems, close } = await open({}, "#state=AAAA");
+  await page.waitForFunction(() => document.body.innerText.includes("The link is damaged"));
+  assert.match(await text(page), /T-handle|crossbar/i);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("a computation that nobody waits for is ended, and the next worker knows the documents", async () => {
   const { page, problems, close } = await open();
   const long = (await text(page)).replace(/duration = .*/, 'duration = "4000000 s"');

@@ -186,11 +186,6 @@ impl Documents {
 }
 
 impl Document {
-    /// Returns true for a mesh or a robot, whose inspection may take long.
-    pub(crate) fn is_inspected(&self) -> bool {
-        !matches!(self.content, Content::Scenario { .. })
-    }
-
     /// Returns the text of a scenario, or the inspection of a mesh or a robot.
     pub(crate) fn content(&self, files: &dyn Files, watch: &dyn Watch) -> Result<DocumentContent, Refusal> {
         match &self.content {

@@ -109,11 +109,6 @@ impl Engine {
         DocumentList { first: documents.first().map(|one| one.id), documents }
     }
 
-    /// Returns true for a mesh or a robot, whose [`Engine::document`] may take long.
-    pub fn is_inspected(&self, id: u32) -> bool {
-        self.documents.get(id).is_ok_and(|document| document.is_inspected())
-    }
-
     /// Returns the text of a scenario, or the inspection of a mesh or a robot, from the file as it
     /// is now.
     ///

@@ -23,7 +23,7 @@ interface Pack {
 }
 
 export class Files {
-  /** Documents that could not be opened, with the reasons. */
+  /** What could not be opened, with the reasons. */
   readonly problems: string[] = [];
   /** Id of the lesson to begin with. */
   lesson: string | null = null;

@@ -107,11 +107,10 @@ async function begin(session: Session, shown: Shown, notice: Notice, lessons: Le
   const files = new Files();
   try {
     const linked = await readFragment(location.hash).catch(() => {
-      notice.say("The link is damaged: this is the document itself.");
+      files.problems.push("The link is damaged: this is the document itself.");
       return null;
     });
     await files.open();
-    if (files.problems.length > 0) notice.say(files.problems.join("\n"));
     let { documents, first } = await engine.documents();
     if (linked && !documents.some((one) => isOf(one, linked))) {
       // The link has the scenario's text, but the page does not have its file.
@@ -126,6 +125,8 @@ async function begin(session: Session, shown: Shown, notice: Notice, lessons: Le
     if (lesson !== null) await lessons.open(lesson);
     if (!session.document && wanted) await shown.open(wanted, linked?.text);
     else if (!session.document) notice.say("Drop a scenario, a mesh, a robot, a molecule or particles on the page, or open a file.");
+    // An opened document clears the notice.
+    if (files.problems.length > 0) notice.say(files.problems.join("\n"));
     files.watch(
       (all) => void shown.update(all),
       (isLost) => document.body.classList.toggle("lost", isLost),

@@ -3,25 +3,8 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::chance::Chance;
 use crate::client::{Answer, Page, repository};
-
-/// Deterministic pseudo-random numbers.
-struct Chance(u64);
-
-impl Chance {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as usize % n
-    }
-
-    fn of<'a, T: ?Sized>(&mut self, all: &[&'a T]) -> &'a T {
-        all[self.below(all.len())]
-    }
-
-    fn bytes(&mut self, most: usize) -> Vec<u8> {
-        (0..self.below(most)).map(|_| self.below(256) as u8).collect()
-    }
-}
 
 /// A request that is refused, or has no answer.
 struct Attempt {

@@ -46,19 +46,21 @@ pub(crate) struct Lessons {
 }
 
 impl Lessons {
-    /// Begins with a lesson: the id of one of the program's, or a file. Returns its id. Later calls
-    /// change nothing.
+    /// Begins with a lesson: the id of one of the program's, or a file. Returns its id. A session
+    /// that has begun with a lesson begins with no other one.
     pub(crate) fn begin_with(&self, name: &Path) -> Result<&str, LessonError> {
-        if let Some(id) = name.to_str().filter(|id| text_of(id).is_some()) {
-            return Ok(self.first.get_or_init(|| id.to_owned()));
+        let id = match name.to_str().filter(|id| text_of(id).is_some()) {
+            Some(id) => id.to_owned(),
+            None if name.extension().is_none_or(|ending| ending != "toml") => return Err(unknown(name)),
+            // Ids of the program's lessons contain no dot.
+            None => name.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        };
+        let is_own = text_of(&id).is_none();
+        let first = self.first.get_or_init(|| id.clone());
+        if *first != id || is_own && self.own.get_or_init(|| name.to_owned()) != name {
+            return Err(LessonError::whole(name, format!("the session has begun with the lesson {first:?}")));
         }
-        if name.extension().is_none_or(|ending| ending != "toml") {
-            return Err(unknown(name));
-        }
-        self.own.get_or_init(|| name.to_owned());
-        // Ids of the program's lessons contain no dot.
-        let id = name.file_name().unwrap_or_default().to_string_lossy();
-        Ok(self.first.get_or_init(|| id.into_owned()))
+        Ok(first)
     }
 
     /// Returns the id of the lesson with which the session begins.

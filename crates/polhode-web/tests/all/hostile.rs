@@ -5,29 +5,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use polhode_source::files::Disk;
 use serde_json::{Value, json};
 
+use crate::chance::Chance;
 use crate::page::Page;
 use crate::session::{Answer, motion};
 
 /// Scenario that is computed in negligible time.
 const SMALL: &str = "[[body.part]]\nshape = \"box\"\nsize = [1, 2, 3]\nmass = 4\n[start]\nspin = { body = [0.1, 0.2, 0.3] }\n[run]\nduration = 1\nsamples = 2\n";
-
-/// Deterministic pseudo-random numbers.
-struct Chance(u64);
-
-impl Chance {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as usize % n
-    }
-
-    fn of<'a, T: ?Sized>(&mut self, all: &[&'a T]) -> &'a T {
-        all[self.below(all.len())]
-    }
-
-    fn bytes(&mut self, most: usize) -> Vec<u8> {
-        (0..self.below(most)).map(|_| self.below(256) as u8).collect()
-    }
-}
 
 /// A request and its expected answer.
 struct Attempt {

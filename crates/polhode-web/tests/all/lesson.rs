@@ -81,6 +81,21 @@ fn a_teachers_own_lesson_is_read_from_memory() {
 }
 
 #[test]
+fn a_page_begins_with_one_lesson_of_its_own() {
+    let files = Memory::from([("a/mine.toml", LESSON), ("a/plate.toml", PLATE), ("b/mine.toml", LESSON)]);
+    let session = Session { engine: Engine::default(), files };
+    let begin = |path: &str| session.ask(&json!({ "lesson_file": { "path": path } })).json;
+    for _ in 0..2 {
+        assert_eq!(begin("a/mine.toml")["id"], "mine.toml");
+    }
+    assert_eq!(session.ask(&json!("lessons")).json["lessons"][0]["title"], "A plate");
+    for other in ["b/mine.toml", "cube"] {
+        let message = begin(other)["refusal"]["message"].to_string();
+        assert!(message.contains("the session has begun with the lesson"), "{message}");
+    }
+}
+
+#[test]
 fn a_wrong_lesson_is_refused_at_its_place() {
     let wrong = LESSON.replace("size[2]\"]", "size[3]\"]");
     let files = Memory::from([("lesson.toml", wrong.as_str()), ("plate.toml", PLATE)]);

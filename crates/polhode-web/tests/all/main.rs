@@ -2,6 +2,8 @@
 //! whole library.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may")]
 
+#[path = "../../../polhode-source/tests/common/chance.rs"]
+mod chance;
 mod ground_lessons;
 mod hostile;
 mod inspect;

@@ -37,9 +37,9 @@ impl<T> Tried<T> {
 /// Interpretations that do not determine the meaning of a log, best first.
 #[derive(Clone, Debug)]
 pub(crate) enum Undecided<T> {
-    /// None fits.
+    /// No interpretation fits the log.
     Unlike(Vec<Tried<T>>),
-    /// Several fit about equally well, and have different results.
+    /// Several interpretations fit about equally well, and have different results.
     Ambiguous(Vec<Tried<T>>),
 }
 

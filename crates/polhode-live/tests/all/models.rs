@@ -2,7 +2,7 @@
 
 use crate::client::Folder;
 
-/// Tetrahedron, m.
+/// Mesh of a tetrahedron without edges of equal length, m.
 pub(crate) const SOLID: &str = "mtllib paint.mtl\nv 0.1 0.2 -0.1\nv 1.3 0.1 0.2\nv 0.4 1.7 0.3\nv 0.2 0.5 1.9\n\
                                 f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 

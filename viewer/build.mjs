@@ -1,7 +1,7 @@
 // Builds the pages. Without arguments: the replay that polhode writes, one HTML file with its style and script inside and a placeholder for the
 // data, and what notebooks have around it, in crates/polhode-scenario/assets/viewer.html and crates/polhode-py/python/polhode/; with --check it only
 // compares, and fails if those files are not this build.
-// With --module MODULE.wasm[.gz] --page PAGE.html [--commit COMMIT]: the interactive page, one file with the engine, the script and the style inside.
+// With --module MODULE.wasm.xz --page PAGE.html [--commit COMMIT]: the interactive page, one file with the engine, the script and the style inside.
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -40,6 +40,7 @@ const script = (entry, codemirror) =>
       UPLOT_VERSION: JSON.stringify(version("uplot")),
       OMGGIF_VERSION: JSON.stringify(version("omggif")),
       FFLATE_VERSION: JSON.stringify(version("fflate")),
+      XZ_VERSION: JSON.stringify(version("xz-decompress")),
       CODEMIRROR_VERSION: JSON.stringify(codemirror),
     },
   });
@@ -81,27 +82,24 @@ async function replay() {
   };
 }
 
-/** The interactive page: its parts are gzip in base 85, which `src/live/boot.ts` unpacks. */
+/** The interactive page: its parts are compressed, in base 85; `src/live/boot.ts` and `worker.ts` unpack them. */
 async function interactive() {
   const codemirror = version("@codemirror/view");
   const { text85 } = await import(`data:text/javascript,${encodeURIComponent(await bundle("src/live/base85.ts", { format: "esm", target: "es2022" }))}`);
-  const packed = (id, bytes, isPacked = false) => {
-    const short = isPacked ? bytes : gzipSync(bytes, { level: 9 });
-    return `<script type="application/octet-stream" id="${id}" data-length="${short.length}">${text85(short)}</script>`;
-  };
+  const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}" data-length="${bytes.length}">${text85(bytes)}</script>`;
   const viewer = {
     style: await style("src/live/live.css"),
     script: await script("src/live/main.ts", codemirror),
     worker: await bundle("src/live/worker.ts", { format: "iife", target: "es2022" }),
   };
   const parts = [
-    packed("polhode-module", readFileSync(given.module), given.module.endsWith(".gz")),
-    packed("polhode-viewer", JSON.stringify(viewer)),
+    packed("polhode-module", readFileSync(given.module)),
+    packed("polhode-viewer", gzipSync(JSON.stringify(viewer), { level: 9 })),
     inside("script", await bundle("src/live/boot.ts", { format: "iife", target: "es2022" })),
   ];
   const policy = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";
   let page = index.replace(/(<meta http-equiv="Content-Security-Policy" content=")[^"]*/, (_, start) => start + policy);
-  const licences = banner.replace("\nuPlot", `\nCodeMirror ${codemirror}, MIT licence, copyright 2018-2026 Marijn Haverbeke and others,\nuPlot`);
+  const licences = banner.replace("\nuPlot", `\nCodeMirror ${codemirror}, MIT licence, copyright 2018-2026 Marijn Haverbeke and others,\nxz-decompress ${version("xz-decompress")}, MIT licence, copyright Steve Sanderson and others,\nuPlot`);
   const built = given.commit ? `of commit ${given.commit} by "cargo xtask page"` : 'by "cargo xtask viewer"';
   page = put(page, "<!--banner-->", licences.replace('from viewer/ by "npm run build"', `with the engine, ${built}`));
   page = put(page, "<!--style-->", '<link rel="icon" href="data:,">\n<style id="starting">body > * { visibility: hidden } #problem { visibility: visible }</style>');

@@ -1,8 +1,9 @@
 /**
- * Start of the page: unpacks its style, its script, the worker's script and the module of the
- * engine, which the page contains as gzip in base 85.
+ * Start of the page: unpacks its style, its script and the worker's script, which the page contains
+ * as gzip in base 85. A worker unpacks the module of the engine meanwhile.
  */
 import { bytesOf85 } from "./base85";
+import type { Built, Packed } from "./work";
 
 /** Parts of the viewer, as they are packed. */
 export interface Viewer {
@@ -17,18 +18,36 @@ export interface Embedded {
   worker: string;
 }
 
-function unpacked(id: string): Response {
+function packed(id: string): Packed {
   const place = document.getElementById(id);
-  const bytes = bytesOf85(place?.textContent ?? "", Number(place?.dataset.length));
-  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")), { headers: { "Content-Type": "application/wasm" } });
+  return { text: place?.textContent ?? "", length: Number(place?.dataset.length) };
+}
+
+async function viewer(): Promise<Viewer> {
+  const { text, length } = packed("polhode-viewer");
+  return new Response(new Blob([bytesOf85(text, length)]).stream().pipeThrough(new DecompressionStream("gzip"))).json() as Promise<Viewer>;
+}
+
+/** Compiles the module in a worker of its own. */
+function compiled(script: string): Promise<WebAssembly.Module> {
+  const worker = new Worker(script);
+  return new Promise<WebAssembly.Module>((done, fail) => {
+    worker.onmessage = ({ data }: MessageEvent<Built>) => {
+      if ("module" in data) done(data.module);
+      else fail(new Error(data.problem));
+    };
+    worker.onerror = (event) => fail(new Error(event.message || "its worker cannot be started"));
+    worker.postMessage({ packed: packed("polhode-module") });
+  }).finally(() => worker.terminate());
 }
 
 async function start(): Promise<void> {
-  const module = WebAssembly.compileStreaming(unpacked("polhode-module"));
+  const { style, script, worker: text } = await viewer();
+  const worker = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+  const module = compiled(worker);
   // A page that cannot compile the module says so when it asks the engine.
   module.catch(() => null);
-  const { style, script, worker } = (await unpacked("polhode-viewer").json()) as Viewer;
-  window.polhodeEmbedded = { module, worker: URL.createObjectURL(new Blob([worker], { type: "text/javascript" })) };
+  window.polhodeEmbedded = { module, worker };
   for (const [kind, text] of [["style", style], ["script", script]]) {
     const part = document.createElement(kind);
     part.textContent = text;

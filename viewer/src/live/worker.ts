@@ -2,7 +2,10 @@
  * Web Worker with the engine: a WebAssembly module (`crates/polhode-wasm`) that answers one request
  * after the other.
  */
-import type { ToWorker, FromWorker } from "./work";
+import { XzReadableStream } from "xz-decompress";
+
+import { bytesOf85 } from "./base85";
+import type { Built, FromWorker, Packed, ToWorker } from "./work";
 
 /** Functions of the module. */
 interface Exports {
@@ -16,7 +19,7 @@ interface Exports {
   answer_length(): number;
 }
 
-const scope = self as unknown as { onmessage: (event: MessageEvent<ToWorker>) => void; postMessage: (message: FromWorker, transfer?: Transferable[]) => void };
+const scope = self as unknown as { onmessage: (event: MessageEvent<ToWorker>) => void; postMessage: (message: Built | FromWorker, transfer?: Transferable[]) => void };
 let exported: Exports | null = null;
 /** Message of a defect in the module. */
 let defect = "";
@@ -26,6 +29,16 @@ const bytesAt = (at: number, length: number): Uint8Array<ArrayBuffer> => new Uin
 function need(): Exports {
   if (!exported) throw new Error("the engine has not started");
   return exported;
+}
+
+/** Compiles the module while it is unpacked. */
+async function built({ text, length }: Packed): Promise<Built> {
+  try {
+    const bytes = new XzReadableStream(new Blob([bytesOf85(text, length)]).stream());
+    return { module: await WebAssembly.compileStreaming(new Response(bytes, { headers: { "Content-Type": "application/wasm" } })) };
+  } catch (problem) {
+    return { problem: String(problem) };
+  }
 }
 
 function start(module: WebAssembly.Module): void {
@@ -56,7 +69,8 @@ function answer(request: string): ArrayBuffer {
 
 scope.onmessage = ({ data }) => {
   try {
-    if ("module" in data) start(data.module);
+    if ("packed" in data) void built(data.packed).then((answer) => scope.postMessage(answer));
+    else if ("module" in data) start(data.module);
     else if ("path" in data) {
       const path = new TextEncoder().encode(data.path);
       input(path, new Uint8Array(data.bytes));

@@ -6,6 +6,7 @@ declare const THREE_VERSION: string;
 declare const UPLOT_VERSION: string;
 declare const OMGGIF_VERSION: string;
 declare const FFLATE_VERSION: string;
+declare const XZ_VERSION: string;
 /** Version of CodeMirror's view in the page of `polhode live`; empty in the single-file page. */
 declare const CODEMIRROR_VERSION: string;
 
@@ -43,7 +44,7 @@ export function about(host: HTMLElement, source: string): void {
     element("p", {}, `uPlot ${UPLOT_VERSION}: MIT licence, copyright © 2022 Leon Sorokin.`),
     element("p", {}, `omggif ${OMGGIF_VERSION}: MIT licence, copyright © 2013 Dean McNamee.`),
     element("p", {}, `fflate ${FFLATE_VERSION}: MIT licence, copyright © 2026 Arjun Barrett.`),
-    ...(CODEMIRROR_VERSION === "" ? [] : [element("p", {}, `CodeMirror ${CODEMIRROR_VERSION} with style-mod, w3c-keyname, crelt, Lezer and find-cluster-break: MIT licence, copyright © 2018–2026 Marijn Haverbeke and others.`)]),
+    ...(CODEMIRROR_VERSION === "" ? [] : [element("p", {}, `xz-decompress ${XZ_VERSION}: MIT licence, copyright © Steve Sanderson and others; contains XZ Embedded, public domain.`), element("p", {}, `CodeMirror ${CODEMIRROR_VERSION} with style-mod, w3c-keyname, crelt, Lezer and find-cluster-break: MIT licence, copyright © 2018–2026 Marijn Haverbeke and others.`)]),
     element("p", {}, "STIX Two Math, a part of it: SIL Open Font License 1.1, copyright © 2001–2021 The STIX Fonts Project Authors."),
     element("details", {}, element("summary", {}, "The MIT licence"), element("p", { class: "licence" }, MIT)),
     element("details", {}, element("summary", {}, "The SIL Open Font License"), element("p", { class: "licence" }, OFL)),

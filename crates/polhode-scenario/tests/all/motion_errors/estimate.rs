@@ -36,7 +36,7 @@ impl Ratios {
     fn row(&mut self, name: &str) -> String {
         let [attitude, omega] = [&mut self.attitude, &mut self.omega].map(|ratios| {
             let [least, middle, most] = [0.0, 0.5, 0.9].map(|p| quantile(ratios, p));
-            format!("{} | {} | {}", down(least), down(middle), down(most))
+            format!("{}, {}, {}", down(least), down(middle), down(most))
         });
         format!("| {name} | {} | {attitude} | {omega} |\n", self.motions)
     }

@@ -28,7 +28,7 @@ FIELDS = {
 }
 
 #: Project addresses that there have to be.
-ADDRESSES = ("Repository", "Documentation", "Changelog", "Issues")
+ADDRESSES = ("Homepage", "Repository", "Documentation", "Changelog", "Issues")
 
 #: Files besides those of the package that its types and its command need.
 FILES = ("polhode/py.typed", "polhode/_native.pyi", "polhode/__main__.py", "polhode_command/__init__.py")

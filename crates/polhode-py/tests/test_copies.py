@@ -271,8 +271,8 @@ def public_classes() -> set[type]:
     """All that a user can have an object of."""
     found = set()
     for module in (polhode, polhode.results, polhode.batch, polhode.sweep, shapes, polhode.plot):
-        for name, value in vars(module).items():
-            if not name.startswith("_") and inspect.isclass(value) and value.__module__ in ("polhode", "polhode.results", "polhode.batch", "polhode.sweep"):
+        for name, value in inspect.getmembers(module, inspect.isclass):
+            if not name.startswith("_") and value.__module__ in ("polhode", "polhode.results", "polhode.batch", "polhode.sweep"):
                 found.add(value)
     return found
 

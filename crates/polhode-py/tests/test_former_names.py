@@ -39,8 +39,8 @@ def test_the_top_had_these_names() -> None:
     """The list of version 0.1.0, of which the present names are the rest."""
     assert len(FORMER) == 56 and len(polhode.__all__) == 35
     tree = ast.parse(Path(polhode.__file__).read_text())
-    (typed,) = (node for node in tree.body if isinstance(node, ast.If))
-    imported, *assigned = typed.body
+    _, former = (node for node in tree.body if isinstance(node, ast.If))
+    imported, *assigned = former.body
     assert isinstance(imported, ast.ImportFrom)
     names = [alias.asname for alias in imported.names] + [ast.unparse(one).partition(" = ")[0] for one in assigned]
     assert sorted(map(str, names)) == sorted(FORMER)

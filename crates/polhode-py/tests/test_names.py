@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import inspect
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import polhode
@@ -41,6 +43,17 @@ def test_the_top_of_the_package_has_what_users_type() -> None:
     for module in (polhode, polhode.results):
         own = [getattr(module, name) for name in module.__all__ if inspect.isclass(getattr(module, name))]
         assert all(value.__module__ == module.__name__ for value in own)
+
+
+def test_names_are_imported_on_first_use() -> None:
+    """Without NumPy, the module in Rust or any other of the package; for type checkers the same names from the same modules."""
+    program = "import sys, polhode; print(*sorted(name for name in sys.modules if name.partition('.')[0] in ('numpy', 'polhode')))"
+    done = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
+    assert done.stdout.split() == ["polhode", "polhode._public"]
+    present, _ = (node for node in ast.parse((HERE / "__init__.py").read_text()).body if isinstance(node, ast.If))
+    imports = [node for node in present.body if isinstance(node, ast.ImportFrom) and node.module != "_native"]
+    static = {name.name: node.module or name.name for node in imports for name in node.names}
+    assert static == polhode._HOMES and sorted({*static, "__version__"}) == sorted(polhode.__all__)
 
 
 def test_types_are_announced() -> None:

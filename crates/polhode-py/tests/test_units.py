@@ -45,7 +45,7 @@ def public() -> Iterator[Callable[..., object]]:
     for module in (polhode, polhode.results, shapes, plot, polhode.batch, polhode.sweep):
         own = [name for name, value in vars(module).items() if not name.startswith("_") and getattr(value, "__module__", "") == module.__name__]
         names = getattr(module, "__all__", own)
-        for value in (vars(module)[name] for name in names):
+        for value in (getattr(module, name) for name in names):
             if inspect.isfunction(value) and value.__module__.startswith("polhode"):
                 yield value
             elif inspect.isclass(value) and value.__module__.startswith("polhode"):

@@ -22,6 +22,7 @@ Author: The polhode developers
 License-Expression: MIT OR Apache-2.0
 Requires-Python: >=3.10
 Description-Content-Type: text/markdown; charset=UTF-8; variant=GFM
+Project-URL: Homepage, https://example.org
 Project-URL: Repository, https://example.org
 Project-URL: Documentation, https://example.org/book
 Project-URL: Changelog, https://example.org/changes

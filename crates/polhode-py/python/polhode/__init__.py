@@ -29,35 +29,48 @@ any type are accepted if their values are exact in float64.
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
-from . import plot, results, scenario, shapes
-from ._body import Body
-from ._budget import budget
-from ._check import check
-from ._deprecated import warn_of_name as _warn_of_name
-from ._ensemble import Ensemble
-from ._error import PolhodeError, PolhodeWarning
-from ._explain import explain
-from ._flight import Flight
-from ._flights import find_flights
-from ._free_motion import FreeMotion
-from ._identify import identify, identify_payload, identify_swings, identify_tumbles
-from ._inertia import inertia
-from ._judge import judge
-from ._knob import Knob
-from ._live import widget
-from ._mass_derivatives import mesh_derivatives, particle_derivatives
-from ._mass_properties import MassProperties, particles
-from ._native import VERSION as __version__
-from ._public import place
-from ._robot import fixed_groups, link_table
-from ._scenario import Scenario
-from ._simulate import simulate
-from ._spin import spins_from_periods
-from ._stability import stability
-from ._substance import materials
-from ._torque import required_torque
+from ._public import on_first_use as _on_first_use
+
+#: Modules of the public names. They are imported on first use, so that a program pays only for what it uses.
+_HOMES = {
+    "Body": "_body",
+    "Ensemble": "_ensemble",
+    "Flight": "_flight",
+    "FreeMotion": "_free_motion",
+    "Knob": "_knob",
+    "MassProperties": "_mass_properties",
+    "PolhodeError": "_error",
+    "PolhodeWarning": "_error",
+    "Scenario": "_scenario",
+    "budget": "_budget",
+    "check": "_check",
+    "explain": "_explain",
+    "find_flights": "_flights",
+    "fixed_groups": "_robot",
+    "identify": "_identify",
+    "identify_payload": "_identify",
+    "identify_swings": "_identify",
+    "identify_tumbles": "_identify",
+    "inertia": "_inertia",
+    "judge": "_judge",
+    "link_table": "_robot",
+    "materials": "_substance",
+    "mesh_derivatives": "_mass_derivatives",
+    "particle_derivatives": "_mass_derivatives",
+    "particles": "_mass_properties",
+    "plot": "plot",
+    "required_torque": "_torque",
+    "results": "results",
+    "scenario": "scenario",
+    "shapes": "shapes",
+    "simulate": "_simulate",
+    "spins_from_periods": "_spin",
+    "stability": "_stability",
+    "widget": "_live",
+}
 
 __all__ = [
     "Body",
@@ -97,8 +110,32 @@ __all__ = [
     "widget",
 ]
 
-place(__name__, Body, Ensemble, Flight, FreeMotion, Knob, MassProperties, PolhodeError, PolhodeWarning, Scenario)
-del place
+if TYPE_CHECKING:
+    from . import plot, results, scenario, shapes
+    from ._body import Body
+    from ._budget import budget
+    from ._check import check
+    from ._ensemble import Ensemble
+    from ._error import PolhodeError, PolhodeWarning
+    from ._explain import explain
+    from ._flight import Flight
+    from ._flights import find_flights
+    from ._free_motion import FreeMotion
+    from ._identify import identify, identify_payload, identify_swings, identify_tumbles
+    from ._inertia import inertia
+    from ._judge import judge
+    from ._knob import Knob
+    from ._live import widget
+    from ._mass_derivatives import mesh_derivatives, particle_derivatives
+    from ._mass_properties import MassProperties, particles
+    from ._native import VERSION as __version__
+    from ._robot import fixed_groups, link_table
+    from ._scenario import Scenario
+    from ._simulate import simulate
+    from ._spin import spins_from_periods
+    from ._stability import stability
+    from ._substance import materials
+    from ._torque import required_torque
 
 if TYPE_CHECKING:
     from .results import (
@@ -122,16 +159,30 @@ if TYPE_CHECKING:
     spin = spins_from_periods
     torque = required_torque
 else:
-    #: Present names by former ones.
-    _FORMER = {
-        **{name: f"results.{name}" for name in results.__all__ if name != "EventOccurrence"},
-        **{"Event": "results.EventOccurrence", "spin": "spins_from_periods", "torque": "required_torque"},
-    }
+    #: Present names of functions by former ones; results had been here too.
+    _FORMER = {"Event": "results.EventOccurrence", "spin": "spins_from_periods", "torque": "required_torque"}
+    _imported = _on_first_use(__name__, _HOMES)
 
     def __getattr__(name: str) -> object:
-        """Returns the object of a former name, with a warning."""
-        if name not in _FORMER:
+        """Returns the object of a public name, or of a former one with a warning."""
+        if name in _HOMES:
+            value = globals()[name] = _imported(name)
+            return value
+        if name == "__version__":
+            from ._native import VERSION
+
+            return VERSION
+        if name.startswith("_"):
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        _warn_of_name(f"polhode.{name}", f"polhode.{_FORMER[name]}")
-        place, _, own = _FORMER[name].rpartition(".")
-        return getattr(results, own) if place else globals()[own]
+        from . import results
+        from ._deprecated import warn_of_name
+
+        present = _FORMER.get(name, f"results.{name}")
+        home, _, own = present.rpartition(".")
+        if home and (own not in results.__all__ or name == "EventOccurrence"):
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        warn_of_name(f"polhode.{name}", f"polhode.{present}")
+        return getattr(results if home else sys.modules[__name__], own)
+
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *__all__})

@@ -10,9 +10,11 @@ from . import _arrays, _html
 from ._error import PolhodeError
 from ._mass_derivatives import BodyDerivatives, body_derivatives
 from ._mass_properties import IDENTITY, MassProperties, joined
+from ._public import public
 from ._table import NoArray
 
 
+@public()
 class Body(NoArray, Mapping[str, MassProperties]):
     """Named parts, rigidly joined: a mapping from names to mass properties in the body's frame.
 

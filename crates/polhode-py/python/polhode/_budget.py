@@ -19,10 +19,12 @@ from ._error import PolhodeError
 from ._estimate import Estimate, counted, floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of
 from ._printed import Printed
+from ._public import public
 from ._record import Record
 from ._table import NoArray
 
 
+@public("polhode.results")
 class BudgetLimit(NamedTuple):
     """A limit and whether it is met."""
 
@@ -49,6 +51,7 @@ class BudgetLimit(NamedTuple):
         return f"{self.name}: {'met' if self.met else 'not met'}, probability {100.0 * self.probability:.1f} % ({low:.1f} … {high:.1f} %)"
 
 
+@public("polhode.results")
 class ErrorShare(NamedTuple):
     """Contribution of an error to the variance of a number."""
 
@@ -60,6 +63,7 @@ class ErrorShare(NamedTuple):
     share: float
 
 
+@public("polhode.results")
 class BudgetRow(NamedTuple):
     """Masses of a row and everything it contains, all copies counted, kg."""
 
@@ -75,6 +79,7 @@ class BudgetRow(NamedTuple):
     margin: float | None
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class BudgetCase(Record):
     """Mass properties of a configuration of a parts list."""
@@ -142,6 +147,7 @@ class BudgetCase(Record):
         return f"BudgetCase({name}{self.estimate['mass']}, {counted(len(self.rows), 'row')})"
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class Budget(NoArray, Printed):
     """Mass properties of a parts list, as :func:`budget` returns them.

@@ -9,8 +9,10 @@ from typing import Any, Iterable, Iterator, Mapping, NamedTuple, Sequence
 
 from . import _arrays, _html, _native
 from ._error import in_python
+from ._public import public
 
 
+@public("polhode.results")
 class ModelFinding(NamedTuple):
     """An error or doubtful value in a model."""
 
@@ -38,6 +40,7 @@ class ModelFinding(NamedTuple):
     id: str
 
 
+@public("polhode.results")
 class CheckReport:
     """Findings about a model, in the order of the file.
 

@@ -12,9 +12,11 @@ from . import _arrays, _native, _units
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._mass_derivatives import ROWS
+from ._public import public
 from ._record import Record
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class EventDerivatives(Record):
     """An event, with the derivatives of its time and of the state.
@@ -48,6 +50,7 @@ class EventDerivatives(Record):
         return f"EventDerivatives({self.name!r} at {self.time:.6g} s)"
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class Derivatives(Record):
     """States of a motion with their derivatives.

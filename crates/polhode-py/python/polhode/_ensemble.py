@@ -16,11 +16,13 @@ from ._deprecated import Former
 from ._error import PolhodeError, warn
 from ._mass_properties import MassProperties, findings_of, warn_of
 from ._motion import EventOccurrence
+from ._public import public
 from ._record import same
 from ._scenario import Scenario
 from .scenario import Event, Orbit, Wheel
 
 
+@public()
 class Ensemble:
     """Many bodies that move independently of each other, free or held at a pivot.
 

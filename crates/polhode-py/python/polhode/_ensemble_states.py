@@ -9,6 +9,7 @@ import numpy as np
 from . import _arrays
 from ._arrays import Floats
 from ._motion import Ending, EventOccurrence
+from ._public import public
 from ._record import same
 from ._states import ATTITUDE, OMEGA, States, ends, rotations
 from ._table import Column, Table, Variable, vector
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 REACHED = "time; after an event that stopped the member, the time of the event; after a failure, the last valid time"
 
 
+@public("polhode.results")
 class Failure(NamedTuple):
     """A member whose computation failed."""
 
@@ -32,6 +34,7 @@ class Failure(NamedTuple):
     cause: str
 
 
+@public("polhode.results")
 class Stop(NamedTuple):
     """A member that an event stopped."""
 
@@ -43,6 +46,7 @@ class Stop(NamedTuple):
     time: float
 
 
+@public("polhode.results")
 class EnsembleStates(Table):
     """States of the members of an ensemble. It unpacks as ``omega, attitude``.
 

@@ -7,6 +7,8 @@ import re
 import sys
 import warnings
 
+from ._public import public
+
 #: Options of the command that are switches, those with another name in Python, and those with the
 #: same name.
 _SWITCHES = {"hull", "union", "resume", "force"}
@@ -67,6 +69,7 @@ def in_python(text: str) -> str:
     return _FLAG.sub(keyword, text.replace(" with -o DIR", "")) if "-" in text else text
 
 
+@public()
 class PolhodeError(ValueError):
     """An error in an input.
 
@@ -105,6 +108,7 @@ class PolhodeError(ValueError):
         return self.message if self.hint is None else f"{self.message}\nhint: {self.hint}"
 
 
+@public()
 class PolhodeWarning(UserWarning):
     """An assumption or a correction, such as an assumed density or reversed normals."""
 

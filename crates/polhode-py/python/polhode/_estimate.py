@@ -9,9 +9,11 @@ import numpy as np
 
 from . import _html
 from ._arrays import Floats
+from ._public import public
 from ._record import Record
 
 
+@public("polhode.results")
 class Number(NamedTuple):
     """An estimated number with its standard deviation."""
 
@@ -35,6 +37,7 @@ class Number(NamedTuple):
         return f"{self.name}: {self.value:.6g}{f' ± {self.sd:.2g}' if self.sd > 0.0 else ''}{unit}"
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class Estimate(Record):
     """Estimated numbers with their covariance.
@@ -96,6 +99,7 @@ class Estimate(Record):
         return _html.rows(["value", "sd", "unit"], [(number.name, shown(number)) for number in self])
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class PrincipalEstimate(Record):
     """Principal moments and axes with their errors, to first order in those of the tensor.
@@ -146,6 +150,7 @@ class PrincipalEstimate(Record):
         return f"PrincipalEstimate({self.ratios_in_words()})"
 
 
+@public("polhode.results")
 class ResidualTest(NamedTuple):
     """Test whether the residuals of one kind of measurement are noise."""
 

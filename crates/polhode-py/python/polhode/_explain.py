@@ -9,10 +9,12 @@ from typing import Any
 
 from . import _native
 from ._error import in_python
+from ._public import public
 from ._record import Record
 from ._scenario import Scenario, formula_source
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class Explanation(Record):
     """A worked solution, with every formula and number.

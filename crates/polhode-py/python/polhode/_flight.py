@@ -11,9 +11,11 @@ import numpy.typing as npt
 from . import _arrays, _native, _rotation
 from ._arrays import Floats
 from ._error import PolhodeError
+from ._public import public
 from ._record import Record
 
 
+@public()
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Flight(Record):
     """Readings of a body in free flight: of a gyro, or tracked attitudes, or both.

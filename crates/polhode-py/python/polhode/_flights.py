@@ -10,6 +10,7 @@ import numpy.typing as npt
 from . import _arrays, _native, _units
 from ._arrays import Floats
 from ._flight import Flight, as_long
+from ._public import public
 from ._table import Column, Table, Variable
 from ._units import Quantity
 
@@ -18,6 +19,7 @@ _FLIGHT, _TIME = "the flight's number, from 0", "time of the reading"
 _GYRO, _ATTITUDE = "angular velocity along the sensor's axes, as it was read", "attitude of axes fixed in the body, unit quaternion, as it was measured"
 
 
+@public("polhode.results")
 class Flights(Table):
     """Flights of a body, in order.
 

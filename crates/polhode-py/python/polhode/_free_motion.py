@@ -16,6 +16,7 @@ from ._body import Body, is_body, whole
 from ._derivatives import Derivatives, derivatives_of
 from ._error import PolhodeError
 from ._mass_properties import IDENTITY, MassProperties
+from ._public import public
 from ._states import MotionError, States, rotations
 from ._units import Quantity
 
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 FEW = 2048
 
 
+@public()
 class FreeMotion:
     """Torque-free motion of a body: ω and attitude at any time, computed in constant time.
 

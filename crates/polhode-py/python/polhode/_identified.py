@@ -13,6 +13,7 @@ from ._arrays import Floats
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest, counted, estimate_of, floats, principal_of, residual_test_of
 from ._mass_properties import Finding, MassProperties, findings_of
 from ._printed import Printed
+from ._public import public
 from ._record import Record
 
 Of = TypeVar("Of")
@@ -49,6 +50,7 @@ class Identified(Printed):
         return f"{type(self).__name__}({self.title!r}: {self._summary()}{odd})"
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class FlightFit(Record):
     """Estimates and residuals of a flight."""
@@ -79,6 +81,7 @@ class FlightFit(Record):
         return f"FlightFit({self.name!r}: {counted(self.used, 'reading')}, {len(self.left_out)} left out)"
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class TumbleResult(Identified):
     """Mass properties of a body, identified from its tumbles.
@@ -107,6 +110,7 @@ class TumbleResult(Identified):
         return f"{counted(len(self.flights), 'flight')}, {self.principal.ratios_in_words()}"
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class SwingFit(Record):
     """Estimates and residuals of a swing test."""
@@ -129,6 +133,7 @@ class SwingFit(Record):
         return f"SwingFit({self.name!r}: {self.moment or 'without the body'})"
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class SwingResult(Identified):
     """Mass properties of a body, identified from its swings.
@@ -152,6 +157,7 @@ class SwingResult(Identified):
         return f"{counted(len(self.swings), 'test')}, {known}"
 
 
+@public("polhode.results")
 class LeftOut(NamedTuple):
     """A wrench excluded as an outlier."""
 
@@ -163,6 +169,7 @@ class LeftOut(NamedTuple):
     size: float
 
 
+@public("polhode.results")
 class Thin(NamedTuple):
     """A direction in which the maximum-likelihood payload has no extent."""
 
@@ -178,6 +185,7 @@ class Thin(NamedTuple):
     thickness_at_most: float
 
 
+@public("polhode.results")
 class Edge(NamedTuple):
     """Degenerate shape of a maximum-likelihood payload on the boundary of physical bodies."""
 
@@ -190,6 +198,7 @@ class Edge(NamedTuple):
     along: Estimate | None
 
 
+@public("polhode.results")
 class Unconstrained(NamedTuple):
     """Result of least squares without the constraint that the body is physical."""
 
@@ -204,6 +213,7 @@ class Unconstrained(NamedTuple):
     chi_square_rise: float
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class PayloadResult(Identified):
     """Mass properties of the payload of a wrist. Origin and axes are those of the sensor.

@@ -10,9 +10,11 @@ from ._arrays import Floats
 from ._deprecated import warn_of_name
 from ._error import in_python
 from ._estimate import counted
+from ._public import public
 from ._record import same
 
 
+@public("polhode.results")
 class TriedReading(NamedTuple):
     """Possible conventions of a run, and the residual at its beginning with these."""
 
@@ -32,6 +34,7 @@ class TriedReading(NamedTuple):
     relative: float
 
 
+@public("polhode.results")
 class Reading(NamedTuple):
     """Conventions of a run."""
 
@@ -62,6 +65,7 @@ class Reading(NamedTuple):
     against_names: bool
 
 
+@public("polhode.results")
 class ErrorGrowth(NamedTuple):
     """Growth of the largest error so far."""
 
@@ -80,6 +84,7 @@ class ErrorGrowth(NamedTuple):
         return self.kind
 
 
+@public("polhode.results")
 class ErrorPart(NamedTuple):
     """A component of the error of a run."""
 
@@ -95,6 +100,7 @@ class ErrorPart(NamedTuple):
     attitude: float
 
 
+@public("polhode.results")
 class ErrorSplit(NamedTuple):
     """Components of an error, while it is below 0.3 rad: angles are root mean squares, rad."""
 
@@ -110,6 +116,7 @@ class ErrorSplit(NamedTuple):
     until: float
 
 
+@public("polhode.results")
 class Cause(NamedTuple):
     """A possible cause of the error.
 
@@ -133,6 +140,7 @@ class Cause(NamedTuple):
     hint: str
 
 
+@public("polhode.results")
 class Judgement:
     """Deviation of a run from the exact motion, with its likely cause; see :func:`judge`.
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from . import _arrays, _native
 from ._error import PolhodeError
+from ._public import public
 from ._scenario import _SEVERAL, Scenario
 from .scenario import Start
 
@@ -26,6 +27,7 @@ _ALIASES = [
 ]
 
 
+@public()
 @dataclass(frozen=True, kw_only=True)
 class Knob:
     """Range and label of a slider for a number of a scenario.

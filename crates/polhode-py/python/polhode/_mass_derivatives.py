@@ -13,6 +13,7 @@ from . import _arrays, _native
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._mass_properties import MassProperties, checked_particles
+from ._public import public
 from ._record import Record
 from ._substance import Given, given
 from ._units import Quantity
@@ -28,6 +29,7 @@ def ten(body: MassProperties) -> Floats:
     return np.concatenate([[body.mass], body.center_of_mass, elements])
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class ParticleDerivatives(Record):
     """Mass properties of particles with their derivatives; see :func:`particle_derivatives`.
@@ -87,6 +89,7 @@ def particle_derivatives(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> 
     return ParticleDerivatives(values=values, **_native.particle_derivatives(weights, places))
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class BodyDerivatives(Record):
     """Mass properties of a body with derivatives by its parts; see :meth:`Body.derivatives`.
@@ -142,6 +145,7 @@ def body_derivatives(parts: dict[str, MassProperties], whole: MassProperties, ab
     )
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class MeshDerivatives(Record):
     """Mass properties of a solid bounded by triangles, with their derivatives by its vertices.

@@ -13,12 +13,14 @@ from . import _arrays, _html, _native, _rotation
 from ._arrays import Floats
 from ._deprecated import Former
 from ._error import PolhodeError, in_python, warn
+from ._public import public
 from ._units import Quantity
 
 #: Identity rotation, as a quaternion.
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 
 
+@public("polhode.results")
 class Finding(NamedTuple):
     """A remark about a body's mass properties: an assumption, a correction or an error."""
 
@@ -44,6 +46,7 @@ def warn_of(findings: Iterable[Finding]) -> None:
             warn(f"{finding.message} [{finding.code}]")
 
 
+@public()
 class MassProperties:
     """Mass, centre of mass and inertia tensor of a body.
 

@@ -15,6 +15,7 @@ from ._arrays import Floats
 from ._derivatives import Derivatives, derivatives_of
 from ._error import PolhodeError, warn
 from ._mass_properties import Finding, findings_of
+from ._public import public
 from ._record import same
 from ._states import MotionError, States, rotations
 from ._table import Column, Table, Variable
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
 
+@public("polhode.results")
 class EventOccurrence(NamedTuple):
     """An occurrence of an event."""
 
@@ -39,6 +41,7 @@ class EventOccurrence(NamedTuple):
     attitude: tuple[float, ...]
 
 
+@public("polhode.results")
 class Ending(NamedTuple):
     """Ending of a motion."""
 
@@ -51,6 +54,7 @@ class Ending(NamedTuple):
     time: float | None
 
 
+@public("polhode.results")
 class Motion(Table):
     """A computed motion: arrays with a row for each of ``times``, as :func:`simulate` returns it.
 

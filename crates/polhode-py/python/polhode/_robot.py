@@ -13,6 +13,7 @@ import numpy as np
 from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of
+from ._public import public
 from ._record import Record
 from ._table import NoArray
 
@@ -72,6 +73,7 @@ def fixed_groups(path: str | os.PathLike[str]) -> dict[str, MassProperties]:
     return bodies
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class LinkRow(Record):
     """Mass properties of a link, in its own frame."""
@@ -93,6 +95,7 @@ class LinkRow(Record):
         return f"LinkRow({self.link!r}, {self.mass:.6g} kg)"
 
 
+@public("polhode.results")
 class LinkTable(NoArray):
     """Mass properties of all links of a robot, in the order of the file, and of the whole robot.
 

@@ -14,6 +14,7 @@ from ._body import Body
 from ._computed_function import computed, computed_of_one, measured, needs_momentum
 from ._error import PolhodeError
 from ._mass_properties import Finding, MassProperties, findings_of
+from ._public import public
 from ._section import Section
 from .scenario import (
     Contact,
@@ -57,6 +58,7 @@ _SEVERAL: dict[str, tuple[str, type[Section]]] = {
 }
 
 
+@public()
 class Scenario:
     """One body and its motion.
 

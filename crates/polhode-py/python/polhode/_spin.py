@@ -16,9 +16,11 @@ from ._error import PolhodeError, in_python
 from ._estimate import floats
 from ._free_motion import FreeMotion, tensor_of
 from ._mass_properties import MassProperties
+from ._public import public
 from ._record import Record
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False)
 class TumblingSpin(Record):
     """A spin with the given periods. Its mirror images have them too."""
@@ -40,6 +42,7 @@ class TumblingSpin(Record):
         return FreeMotion(inertia=self.inertia, omega=self.omega)
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class Tumbling(Record):
     """All spins of a body with two given periods, as :func:`spins_from_periods` returns them.

@@ -12,10 +12,12 @@ from ._arrays import Floats
 from ._error import in_python
 from ._estimate import floats
 from ._mass_properties import Finding, findings_of, warn_of
+from ._public import public
 from ._record import Record
 from ._scenario import Scenario, formula_source
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False)
 class SteadyRotation(Record):
     """A permanent rotation: without torque, the body keeps turning about this axis.
@@ -43,6 +45,7 @@ class SteadyRotation(Record):
     with_sink_rate: float | None
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False)
 class Oscillation(Record):
     """A small oscillation about an equilibrium."""
@@ -61,6 +64,7 @@ class Oscillation(Record):
     multiplicity: int
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False)
 class Equilibrium(Record):
     """An equilibrium under the scenario's torques, with the modes of small deviations from it."""
@@ -83,6 +87,7 @@ class Equilibrium(Record):
     modes: tuple[Oscillation, ...]
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False)
 class SteadyMotions(Record):
     """Steady motions in an interval in which the wheels keep their momentum."""
@@ -104,6 +109,7 @@ class SteadyMotions(Record):
     idle_torques: tuple[str, ...]
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False)
 class SteadyOnGround(Record):
     """The steady motion on the ground that is nearest to the start.
@@ -131,6 +137,7 @@ class SteadyOnGround(Record):
     margin: float | None
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class Stability(Record):
     """Steady motions of a scenario's body and their stability; see :func:`stability`."""

@@ -9,6 +9,7 @@ import numpy as np
 
 from ._arrays import Floats
 from ._estimate import counted
+from ._public import public
 from ._record import Record, same
 from ._table import Column, Table, Variable, vector
 
@@ -20,6 +21,7 @@ OMEGA = "angular velocity relative to space, along body axes"
 ATTITUDE = "R_space_body, unit quaternion, Hamilton, scalar first"
 
 
+@public("polhode.results")
 class States(Table):
     """Angular velocities and attitudes at times. It unpacks as ``omega, attitude``.
 
@@ -93,6 +95,7 @@ class States(Table):
         return f"States({counted(len(self), 'time')}{ends(self.times)})"
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class MotionError(Table, Record):
     """Error estimates of states: arrays (n,) in the order of the times. It unpacks as these four.

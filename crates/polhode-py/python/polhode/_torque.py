@@ -14,12 +14,14 @@ from . import _arrays, _native
 from ._arrays import Floats
 from ._error import PolhodeError, in_python
 from ._mass_properties import Finding, checked_particles, findings_of, warn_of
+from ._public import public
 from ._record import Record
 from ._scenario import Scenario, formula_source
 from ._states import ends
 from ._table import Column, Table, Variable
 
 
+@public("polhode.results")
 @dataclass(frozen=True, eq=False, repr=False)
 class RequiredTorque(Table, Record):
     """Torque, power and forces that a prescribed motion requires; see :func:`required_torque`."""

@@ -32,7 +32,6 @@ from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Re
 from ._mass_derivatives import BodyDerivatives, MeshDerivatives, ParticleDerivatives
 from ._mass_properties import Finding
 from ._motion import Ending, EventOccurrence, Motion
-from ._public import place
 from ._robot import LinkRow, LinkTable
 from ._spin import Tumbling, TumblingSpin
 from ._stability import (
@@ -102,62 +101,3 @@ __all__ = [
     "TumblingSpin",
     "Unconstrained",
 ]
-
-place(
-    __name__,
-    BodyDerivatives,
-    Budget,
-    BudgetCase,
-    BudgetLimit,
-    BudgetRow,
-    Cause,
-    CheckReport,
-    Derivatives,
-    Edge,
-    Ending,
-    EnsembleStates,
-    Equilibrium,
-    ErrorGrowth,
-    ErrorPart,
-    ErrorShare,
-    ErrorSplit,
-    Estimate,
-    EventDerivatives,
-    EventOccurrence,
-    Explanation,
-    Failure,
-    Finding,
-    FlightFit,
-    Flights,
-    Judgement,
-    LeftOut,
-    LinkRow,
-    LinkTable,
-    MeshDerivatives,
-    ModelFinding,
-    Motion,
-    MotionError,
-    Number,
-    Oscillation,
-    ParticleDerivatives,
-    PayloadResult,
-    PrincipalEstimate,
-    Reading,
-    RequiredTorque,
-    ResidualTest,
-    Stability,
-    States,
-    SteadyMotions,
-    SteadyOnGround,
-    SteadyRotation,
-    Stop,
-    SwingFit,
-    SwingResult,
-    Thin,
-    TriedReading,
-    TumbleResult,
-    Tumbling,
-    TumblingSpin,
-    Unconstrained,
-)
-del place

@@ -9,8 +9,6 @@ use polhode::body::shape::Extent;
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::Frame;
 
-use super::MeshFormat;
-
 /// Length above which the unit is questioned, m.
 const LONGEST: f64 = 5.0;
 
@@ -23,13 +21,6 @@ const THINNEST: f64 = 0.5;
 
 /// Ratio to the length of the other bodies above which the unit is questioned.
 const MUCH_LONGER: f64 = 100.0;
-
-impl MeshFormat {
-    /// Returns true if the files or the format define the unit.
-    pub const fn has_unit(self) -> bool {
-        matches!(self, Self::Gltf | Self::ThreeMf | Self::Collada)
-    }
-}
 
 /// Mesh whose unit is not given and is assumed to be the metre.
 #[derive(Clone, Copy, Debug)]

@@ -72,7 +72,7 @@ type Reader = fn(&dyn Files, &[u8], &Path) -> Result<MeshContents, FormatError>;
 /// Table of the formats: lower-case name, official name, file extensions, reader. All other code
 /// that lists mesh formats uses this table.
 macro_rules! formats {
-    ($($(#[doc = $about:literal])* $format:ident: $name:literal, $title:literal, $extensions:expr, $reader:expr;)*) => {
+    ($($(#[doc = $about:literal])* $format:ident: $name:literal, $title:literal, $extensions:expr, $unit:literal, $reader:expr;)*) => {
         /// Mesh file formats that are read.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum MeshFormat {
@@ -111,6 +111,13 @@ macro_rules! formats {
                 }
             }
 
+            /// Returns true if the files or the format define the unit of length.
+            pub const fn has_unit(self) -> bool {
+                match self {
+                    $(Self::$format => $unit,)*
+                }
+            }
+
             const fn reader(self) -> Reader {
                 match self {
                     $(Self::$format => $reader,)*
@@ -122,25 +129,25 @@ macro_rules! formats {
 
 formats! {
     /// STL, binary or ASCII.
-    Stl: "stl", "STL", ["stl"], |_, bytes, path| stl::contents(bytes, path);
+    Stl: "stl", "STL", ["stl"], false, |_, bytes, path| stl::contents(bytes, path);
     /// Wavefront OBJ; its groups are parts.
-    Obj: "obj", "OBJ", ["obj"], |_, bytes, path| located(obj::read(bytes), bytes, path);
+    Obj: "obj", "OBJ", ["obj"], false, |_, bytes, path| located(obj::read(bytes), bytes, path);
     /// Stanford PLY, ASCII or binary of either endianness.
-    Ply: "ply", "PLY", ["ply"], |_, bytes, path| located(ply::read(bytes), bytes, path);
+    Ply: "ply", "PLY", ["ply"], false, |_, bytes, path| located(ply::read(bytes), bytes, path);
     /// Points, one in a line, for their convex hull.
-    Points: "points", "points", [], |_, bytes, path| {
+    Points: "points", "points", [], false, |_, bytes, path| {
         located(points::read(bytes).and_then(points::with_faces), bytes, path)
     };
     /// Geomview OFF.
-    Off: "off", "OFF", ["off"], |_, bytes, path| located(off::read(bytes), bytes, path);
+    Off: "off", "OFF", ["off"], false, |_, bytes, path| located(off::read(bytes), bytes, path);
     /// glTF 2.0, as JSON or GLB; its nodes are parts.
-    Gltf: "gltf", "glTF", ["gltf", "glb"], |files, bytes, path| {
+    Gltf: "gltf", "glTF", ["gltf", "glb"], true, |files, bytes, path| {
         located(gltf::read(files, bytes, path.parent().unwrap_or(Path::new(""))), bytes, path)
     };
     /// 3MF; its build items are parts.
-    ThreeMf: "3mf", "3MF", ["3mf"], |_, bytes, path| located(threemf::read(bytes), bytes, path);
+    ThreeMf: "3mf", "3MF", ["3mf"], true, |_, bytes, path| located(threemf::read(bytes), bytes, path);
     /// COLLADA; the geometries of its scene are parts.
-    Collada: "dae", "COLLADA", ["dae"], |_, bytes, path| {
+    Collada: "dae", "COLLADA", ["dae"], true, |_, bytes, path| {
         let text = str::from_utf8(bytes).map_err(|e| FormatError::not_utf8(path, bytes, e.valid_up_to()))?;
         located(collada::read(text), bytes, path)
     };

@@ -3,12 +3,22 @@
 use std::path::{Path, PathBuf};
 
 use polhode_document::Report as _;
+use polhode_shape::mesh::MeshFormat;
 use polhode_shape::{Bodies, Kind, Request, run};
 use polhode_source::Failure;
 use polhode_source::files::{Disk, Memory};
 use serde_json::{Value, json};
 
 use crate::schema::require_fits;
+
+/// Files of this repository with a list of the extensions of meshes, and how each writes one.
+const LISTS: [(&str, fn(&str) -> String); 5] = [
+    ("crates/polhode-py/python/polhode/_inertia.py", |extension| format!("\"{extension}\"")),
+    ("viewer/src/live/dropped.ts", |extension| format!("\"{extension}\"")),
+    ("crates/polhode-web/src/documents.rs", |extension| format!(".{extension}")),
+    ("book/inertia.md", |extension| format!("`.{extension}`")),
+    ("book/live.md", |extension| format!(".{extension}")),
+];
 
 const REQUEST: &str = polhode_shape::REQUEST_SCHEMA;
 const REPORT: &str = polhode_shape::REPORT_SCHEMA;
@@ -116,4 +126,21 @@ fn requests_fit_the_schema() {
     assert!(unknown.unwrap_err().to_string().contains("colour"));
     let Err(error) = serde_json::from_value::<Kind>(json!("step")) else { panic!() };
     assert!(error.to_string().contains("nrrd"), "{error}");
+}
+
+#[test]
+fn every_list_of_mesh_formats_has_all_of_them() {
+    let schema: Value = serde_json::from_str(REQUEST).unwrap();
+    let kinds = schema["properties"]["format"]["enum"].as_array().unwrap();
+    for format in MeshFormat::ALL {
+        assert!(kinds.contains(&json!(format.name())), "{} is not in the schema", format.name());
+        for (path, written) in LISTS {
+            let text =
+                std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path))
+                    .unwrap();
+            for extension in format.extensions() {
+                assert!(text.contains(&written(extension)), "{path} does not have {}", written(extension));
+            }
+        }
+    }
 }

@@ -49,21 +49,30 @@ fn text(all: &[Graded]) -> String {
         The cases of the [suite](judge.md#the-suite) in physics engines, with default settings and with those that their documentation recommends for \
         accuracy ([notes](judge-engines-notes.md)). The programs are in `judge/engines`.\n\nThe error is the largest angle between the attitude of a row \
         and the exact one, rad. A case is passed up to 0.01 rad; failed ones are bold.\n\n\
-        ## Settings\n\nWith the number of failed cases by the first named cause.\n\n| setting | engine | step (s) | passed | not run | causes of failures |\n|---|---|---|---|---|---|\n"
+        ## Settings\n\nFailed cases are counted by the first named cause:\n\n"
         .to_owned();
+    let names = names(&graded);
+    for (letter, name) in ('a'..).zip(&names) {
+        let _ = writeln!(page, "- {letter}: {name}");
+    }
+    page.push_str("\n| setting | engine | step (s) | passed | failed |\n|---|---|---|---|---|\n");
     for Graded { setting, card } in graded.iter().copied() {
         let engines: Vec<&str> =
             card["engines"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-        let causes: Vec<_> =
-            causes(card).into_iter().map(|(cause, count)| format!("{cause}: {count}")).collect();
+        let causes: Vec<_> = causes(card)
+            .into_iter()
+            .map(|(cause, count)| {
+                let letter = ('a'..).zip(&names).find(|(_, name)| **name == cause);
+                letter.map_or(format!("{cause} {count}"), |(letter, _)| format!("{letter} {count}"))
+            })
+            .collect();
         let _ = writeln!(
             page,
-            "| {setting} | {} | {} | {} | {} | {} |",
+            "| {setting} | {} | {} | {} | {} |",
             engines.join("; "),
             steps(card),
             card["passed"],
-            card["not_run"],
-            causes.join("; ")
+            causes.join(", ")
         );
     }
     let compared = compared(&graded);
@@ -91,14 +100,35 @@ fn text(all: &[Graded]) -> String {
             orders.len()
         );
     }
-    page.push_str("\n## Not run, or not to the end\n\n| setting | cases | reason |\n|---|---|---|\n");
+    page.push_str("\n## Not run, or not to the end\n\n");
+    let mut gaps: Vec<(Vec<&str>, Vec<&str>, &str)> = Vec::new();
     for graded in &graded {
         for (reason, cases) in not_run(graded) {
-            let _ = writeln!(page, "| {} | {} | {reason} |", graded.setting, cases.join(", "));
+            match gaps.iter_mut().find(|gap| (&gap.1, gap.2) == (&cases, reason)) {
+                Some((settings, ..)) => settings.push(graded.setting.as_str()),
+                None => gaps.push((vec![graded.setting.as_str()], cases, reason)),
+            }
         }
+    }
+    for (settings, cases, reason) in gaps {
+        let _ = writeln!(page, "- {}: {}: {reason}", settings.join(", "), cases.join(", "));
     }
     page
 }
+
+/// Returns the causes in failed cases of all settings, in the order of their first occurrence.
+fn names(graded: &[&Graded]) -> Vec<String> {
+    let mut names = Vec::new();
+    for (cause, _) in graded.iter().flat_map(|graded| causes(&graded.card)) {
+        if cause != NONE && !names.contains(&cause) {
+            names.push(cause);
+        }
+    }
+    names
+}
+
+/// Cause of a failed case of which no cause is named.
+const NONE: &str = "none";
 
 /// Returns the reasons of cases that did not run to the end, each with its cases, in their order.
 fn not_run(graded: &Graded) -> Vec<(&str, Vec<&str>)> {
@@ -175,10 +205,10 @@ fn causes(card: &Value) -> Vec<(String, usize)> {
             case["runs"].as_array().into_iter().flatten().flat_map(|run| run["causes"]["tried"].as_array());
         let named = tried.flatten().find(|cause| cause["named"] == true);
         // The step size is omitted, because it differs between cases.
-        let text = named.map_or("none found", |cause| cause["cause"].as_str().unwrap_or_default());
+        let text = named.map_or(NONE, |cause| cause["cause"].as_str().unwrap_or_default());
         let text = text.split(", h = ").next().unwrap_or(text);
         let method = text.strip_prefix("first-order integration (").and_then(|text| text.strip_suffix(')'));
-        let name = method.unwrap_or(text).replace('|', "\\|");
+        let name = method.unwrap_or(text).to_owned();
         match counts.iter_mut().find(|(other, _)| *other == name) {
             Some((_, count)) => *count += 1,
             None => counts.push((name, 1)),

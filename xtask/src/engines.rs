@@ -55,6 +55,7 @@ fn text(all: &[Graded]) -> String {
     for (letter, name) in ('a'..).zip(&names) {
         let _ = writeln!(page, "- {letter}: {name}");
     }
+    let _ = writeln!(page, "- ′: also{}", FIRST_ORDER.trim_start_matches(','));
     page.push_str("\n| setting | engine | step (s) | passed | failed |\n|---|---|---|---|---|\n");
     for Graded { setting, card } in graded.iter().copied() {
         let engines: Vec<&str> =
@@ -62,8 +63,12 @@ fn text(all: &[Graded]) -> String {
         let causes: Vec<_> = causes(card)
             .into_iter()
             .map(|(cause, count)| {
-                let letter = ('a'..).zip(&names).find(|(_, name)| **name == cause);
-                letter.map_or(format!("{cause} {count}"), |(letter, _)| format!("{letter} {count}"))
+                let (name, prime) = match cause.strip_suffix(FIRST_ORDER) {
+                    Some(name) => (name, "′"),
+                    None => (cause.as_str(), ""),
+                };
+                let letter = ('a'..).zip(&names).find(|(_, other)| *other == name);
+                letter.map_or(format!("{name} {count}"), |(letter, _)| format!("{letter}{prime} {count}"))
             })
             .collect();
         let _ = writeln!(
@@ -79,7 +84,7 @@ fn text(all: &[Graded]) -> String {
     let heads: String = compared.iter().map(|graded| format!(" {} |", graded.setting)).collect();
     let _ = write!(
         page,
-        "\n## Largest errors\n\nFor each engine, the first setting and the one that passes the most cases.\n\n| case |{heads}\n|---|{}\n",
+        "\n## Largest errors\n\nFor each engine, the first setting and the one that passes the most cases, if that is more.\n\n| case |{heads}\n|---|{}\n",
         "---|".repeat(compared.len())
     );
     for (k, case) in compared.first().map_or(&[][..], |first| cases(&first.card)).iter().enumerate() {
@@ -116,12 +121,14 @@ fn text(all: &[Graded]) -> String {
     page
 }
 
-/// Returns the causes in failed cases of all settings, in the order of their first occurrence.
+/// Returns the causes in failed cases of all settings, in the order of their first occurrence,
+/// without [`FIRST_ORDER`].
 fn names(graded: &[&Graded]) -> Vec<String> {
     let mut names = Vec::new();
     for (cause, _) in graded.iter().flat_map(|graded| causes(&graded.card)) {
-        if cause != NONE && !names.contains(&cause) {
-            names.push(cause);
+        let name = cause.strip_suffix(FIRST_ORDER).unwrap_or(&cause).to_owned();
+        if name != NONE && !names.contains(&name) {
+            names.push(name);
         }
     }
     names
@@ -129,6 +136,9 @@ fn names(graded: &[&Graded]) -> Vec<String> {
 
 /// Cause of a failed case of which no cause is named.
 const NONE: &str = "none";
+
+/// End of a cause with an attitude of first order.
+const FIRST_ORDER: &str = ", attitude by q + ½ h q ω";
 
 /// Returns the reasons of cases that did not run to the end, each with its cases, in their order.
 fn not_run(graded: &Graded) -> Vec<(&str, Vec<&str>)> {
@@ -147,12 +157,12 @@ fn cases(card: &Value) -> &[Value] {
     card["cases"].as_array().map_or(&[], Vec::as_slice)
 }
 
-/// Returns the first setting of each engine and the last of those that pass the most cases.
+/// Returns the first setting of each engine and the first of those that pass the most cases.
 fn compared<'a>(graded: &[&'a Graded]) -> Vec<&'a Graded> {
     let engine = |one: &Graded| one.setting.split('-').next().map(str::to_owned);
     let is_compared = |one: &&&Graded| {
         let mut same = graded.iter().filter(|other| engine(other) == engine(one));
-        let best = same.clone().max_by_key(|other| other.card["passed"].as_u64());
+        let best = same.clone().rev().max_by_key(|other| other.card["passed"].as_u64());
         [same.next(), best].into_iter().flatten().any(|other| other.setting == one.setting)
     };
     graded.iter().filter(is_compared).copied().collect()

@@ -14,7 +14,7 @@ import numpy as np
 
 COLUMNS = "time_s,attitude_w,attitude_x,attitude_y,attitude_z,omega_body_x_rad_s,omega_body_y_rad_s,omega_body_z_rad_s"
 
-NO_NUMBER = "the engine's state is no number any more"
+NO_NUMBER = "the engine's state is not finite"
 
 
 class NotRun(Exception):

@@ -49,28 +49,42 @@ fn text(all: &[Graded]) -> String {
         The cases of the [suite](judge.md#the-suite) in physics engines, with default settings and with those that their documentation recommends for \
         accuracy ([notes](judge-engines-notes.md)). The programs are in `judge/engines`.\n\nThe error is the largest angle between the attitude of a row \
         and the exact one, rad. A case is passed up to 0.01 rad; failed ones are bold.\n\n\
-        ## Settings\n\nWith the number of failed cases by the first named cause.\n\n| setting | engine | step (s) | passed | not run | causes of failures |\n|---|---|---|---|---|---|\n"
+        ## Settings\n\nFailed cases are counted by the first named cause:\n\n"
         .to_owned();
+    let names = names(&graded);
+    for (letter, name) in ('a'..).zip(&names) {
+        let _ = writeln!(page, "- {letter}: {name}");
+    }
+    let _ = writeln!(page, "- ′: also{}", FIRST_ORDER.trim_start_matches(','));
+    page.push_str("\n| setting | engine | step (s) | passed | failed |\n|---|---|---|---|---|\n");
     for Graded { setting, card } in graded.iter().copied() {
         let engines: Vec<&str> =
             card["engines"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-        let causes: Vec<_> =
-            causes(card).into_iter().map(|(cause, count)| format!("{cause}: {count}")).collect();
+        let causes: Vec<_> = causes(card)
+            .into_iter()
+            .map(|(cause, count)| {
+                let (name, prime) = match cause.strip_suffix(FIRST_ORDER) {
+                    Some(name) => (name, "′"),
+                    None => (cause.as_str(), ""),
+                };
+                let letter = ('a'..).zip(&names).find(|(_, other)| *other == name);
+                letter.map_or(format!("{name} {count}"), |(letter, _)| format!("{letter}{prime} {count}"))
+            })
+            .collect();
         let _ = writeln!(
             page,
-            "| {setting} | {} | {} | {} | {} | {} |",
+            "| {setting} | {} | {} | {} | {} |",
             engines.join("; "),
             steps(card),
             card["passed"],
-            card["not_run"],
-            causes.join("; ")
+            causes.join(", ")
         );
     }
     let compared = compared(&graded);
     let heads: String = compared.iter().map(|graded| format!(" {} |", graded.setting)).collect();
     let _ = write!(
         page,
-        "\n## Largest errors\n\nFor each engine, the first setting and the one that passes the most cases.\n\n| case |{heads}\n|---|{}\n",
+        "\n## Largest errors\n\nFor each engine, the first setting and the one that passes the most cases, if that is more.\n\n| case |{heads}\n|---|{}\n",
         "---|".repeat(compared.len())
     );
     for (k, case) in compared.first().map_or(&[][..], |first| cases(&first.card)).iter().enumerate() {
@@ -91,14 +105,40 @@ fn text(all: &[Graded]) -> String {
             orders.len()
         );
     }
-    page.push_str("\n## Not run, or not to the end\n\n| setting | cases | reason |\n|---|---|---|\n");
+    page.push_str("\n## Not run, or not to the end\n\n");
+    let mut gaps: Vec<(Vec<&str>, Vec<&str>, &str)> = Vec::new();
     for graded in &graded {
         for (reason, cases) in not_run(graded) {
-            let _ = writeln!(page, "| {} | {} | {reason} |", graded.setting, cases.join(", "));
+            match gaps.iter_mut().find(|gap| (&gap.1, gap.2) == (&cases, reason)) {
+                Some((settings, ..)) => settings.push(graded.setting.as_str()),
+                None => gaps.push((vec![graded.setting.as_str()], cases, reason)),
+            }
         }
+    }
+    for (settings, cases, reason) in gaps {
+        let _ = writeln!(page, "- {}: {}: {reason}", settings.join(", "), cases.join(", "));
     }
     page
 }
+
+/// Returns the causes in failed cases of all settings, in the order of their first occurrence,
+/// without [`FIRST_ORDER`].
+fn names(graded: &[&Graded]) -> Vec<String> {
+    let mut names = Vec::new();
+    for (cause, _) in graded.iter().flat_map(|graded| causes(&graded.card)) {
+        let name = cause.strip_suffix(FIRST_ORDER).unwrap_or(&cause).to_owned();
+        if name != NONE && !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// Cause of a failed case of which no cause is named.
+const NONE: &str = "none";
+
+/// End of a cause with an attitude of first order.
+const FIRST_ORDER: &str = ", attitude by q + ½ h q ω";
 
 /// Returns the reasons of cases that did not run to the end, each with its cases, in their order.
 fn not_run(graded: &Graded) -> Vec<(&str, Vec<&str>)> {
@@ -117,12 +157,12 @@ fn cases(card: &Value) -> &[Value] {
     card["cases"].as_array().map_or(&[], Vec::as_slice)
 }
 
-/// Returns the first setting of each engine and the last of those that pass the most cases.
+/// Returns the first setting of each engine and the first of those that pass the most cases.
 fn compared<'a>(graded: &[&'a Graded]) -> Vec<&'a Graded> {
     let engine = |one: &Graded| one.setting.split('-').next().map(str::to_owned);
     let is_compared = |one: &&&Graded| {
         let mut same = graded.iter().filter(|other| engine(other) == engine(one));
-        let best = same.clone().max_by_key(|other| other.card["passed"].as_u64());
+        let best = same.clone().rev().max_by_key(|other| other.card["passed"].as_u64());
         [same.next(), best].into_iter().flatten().any(|other| other.setting == one.setting)
     };
     graded.iter().filter(is_compared).copied().collect()
@@ -175,10 +215,10 @@ fn causes(card: &Value) -> Vec<(String, usize)> {
             case["runs"].as_array().into_iter().flatten().flat_map(|run| run["causes"]["tried"].as_array());
         let named = tried.flatten().find(|cause| cause["named"] == true);
         // The step size is omitted, because it differs between cases.
-        let text = named.map_or("none found", |cause| cause["cause"].as_str().unwrap_or_default());
+        let text = named.map_or(NONE, |cause| cause["cause"].as_str().unwrap_or_default());
         let text = text.split(", h = ").next().unwrap_or(text);
         let method = text.strip_prefix("first-order integration (").and_then(|text| text.strip_suffix(')'));
-        let name = method.unwrap_or(text).replace('|', "\\|");
+        let name = method.unwrap_or(text).to_owned();
         match counts.iter_mut().find(|(other, _)| *other == name) {
             Some((_, count)) => *count += 1,
             None => counts.push((name, 1)),

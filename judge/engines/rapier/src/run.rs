@@ -52,7 +52,7 @@ pub fn run(
             if let Some(end) = rows.iter().position(|r| !finite(r)) {
                 rows.truncate(end);
                 not_run += &format!(
-                    "{name}: ends after {:?} s: the engine's state is no number any more\n",
+                    "{name}: ends after {:?} s: the engine's state is not finite\n",
                     rows[end.max(1) - 1].time
                 );
             }

@@ -35,24 +35,23 @@ pub(crate) fn page(measured: &Measured) -> String {
         .replace("{far}", &far)
         .replace("{elliptic}", &elliptic)
         .replace("{meshes}", &mesh_rows(meshes))
-        .replace("{tensors}", &(principal_axes::TENSORS * axes.len()).to_string())
+        .replace("{mesh_bound}", &bound(meshes::PROMISED))
+        .replace("{tensors}", &principal_axes::TENSORS.to_string())
+        .replace("{axes_bound}", &bound(principal_axes::PROMISED))
         .replace("{axes}", &axes_rows(axes))
 }
 
 fn mesh_rows(meshes: &[meshes::Row]) -> String {
     let line = |mesh: &meshes::Row| {
-        let errors = mesh.errors.map(|error| error.map_or("–".into(), up));
-        let counts = [mesh.triangles.to_string(), mesh.meshes.to_string()];
-        row(counts.into_iter().chain(errors).chain([bound(meshes::PROMISED)]))
+        let error = mesh.errors.into_iter().flatten().fold(0.0, f64::max);
+        row([mesh.triangles.to_string(), mesh.meshes.to_string(), up(error)])
     };
     meshes.iter().map(line).collect()
 }
 
 fn axes_rows(axes: &[principal_axes::Worst]) -> String {
     let line = |((name, _), worst): (&principal_axes::Group, &principal_axes::Worst)| {
-        let errors = [worst.rebuilt, worst.orthonormal].map(up);
-        let counts = [(*name).to_owned(), principal_axes::TENSORS.to_string()];
-        row(counts.into_iter().chain(errors).chain([bound(principal_axes::PROMISED)]))
+        row([(*name).to_owned(), up(worst.rebuilt), up(worst.orthonormal)])
     };
     principal_axes::GROUPS.iter().zip(axes).map(line).collect()
 }
@@ -80,14 +79,14 @@ fn row(cells: impl IntoIterator<Item = String>) -> String {
 }
 
 /// Returns rows of group, bodies, number of cases, errors of the attitude in the first and last
-/// span, error of ω in all, and errors of the constants.
+/// span, and largest errors of ω in all and of the constants.
 fn bodies(groups: &[Worst]) -> String {
     let line = |((name, bodies), worst): (&(&str, &str), &Worst)| {
         let [early, .., late] = worst.attitude;
         let omega = worst.omega.into_iter().fold(0.0, f64::max);
         let head = [(*name).to_owned(), (*bodies).to_owned(), worst.cases.to_string()];
-        let constants = worst.constants.map(|error| error.map_or("–".into(), up));
-        row(head.into_iter().chain([early, late, omega].map(up)).chain(constants))
+        let constants = worst.constants.into_iter().flatten().reduce(f64::max);
+        row(head.into_iter().chain([early, late, omega].map(up)).chain([constants.map_or("–".into(), up)]))
     };
     free_motion::GROUPS.iter().zip(groups).map(line).collect()
 }

@@ -16,7 +16,6 @@ pub(super) fn text(audited: &[Audited]) -> String {
     let mut text = introduction(audited, &all);
     by_repository(&mut text, audited, &all);
     by_rule(&mut text, &all);
-    refused(&mut text, &all);
     how(&mut text, audited);
     text
 }
@@ -76,10 +75,10 @@ fn by_repository(text: &mut String, audited: &[Audited], all: &Counts) {
         LANGUAGES.map(|(key, name)| format!("{} {name}", count(all.read.get(key).copied().unwrap_or(0))));
     let _ = write!(
         text,
-        "\n## By repository\n\nModels: {}; {} files were refused. Not counted are {} copies with the same bytes, and {} files in folders of tests. The link has \
+        "\n## By repository\n\nModels: {}; refused: {}. Not counted are {} copies with the same bytes, and {} files in folders of tests. The link has \
          the commit.\n\n| repository | models | inertials | files with impossible | impossible | suspect |\n|---|{}\n",
         languages.join(", "),
-        count(all.refused.values().sum()),
+        refused(all),
         count(all.copies),
         count(all.tests),
         "--:|".repeat(5)
@@ -126,16 +125,15 @@ fn by_rule(text: &mut String, all: &Counts) {
     }
 }
 
-fn refused(text: &mut String, all: &Counts) {
-    if all.refused.is_empty() {
-        return;
-    }
-    text.push_str("\n## Refused\n\n| reason | files |\n|---|--:|\n");
+/// Returns the reasons of refusals with their numbers of files.
+fn refused(all: &Counts) -> String {
     let mut reasons: Vec<_> = all.refused.iter().collect();
     reasons.sort_by(|(reason, files), (other, others)| others.cmp(files).then_with(|| reason.cmp(other)));
-    for (reason, files) in reasons {
-        let _ = writeln!(text, "| {} | {} |", reason.replace('|', "\\|"), count(*files));
+    if reasons.is_empty() {
+        return "none".to_owned();
     }
+    let reasons = reasons.into_iter().map(|(reason, files)| format!("{} {reason}", count(*files)));
+    reasons.collect::<Vec<_>>().join(", ")
 }
 
 fn how(text: &mut String, audited: &[Audited]) {

@@ -456,7 +456,7 @@ def main():
     page = f"""# Cost of accuracy under torque, compared with other programs
 
 Written by `crates/polhode/benches/work_precision.py`. Time to one state at the end, against the angle (rad) from
-the true attitude, a Taylor series in {DIGITS} digits. Each point is one tolerance or step; lower left is better. Times are the
+the true attitude, a Taylor series in {DIGITS} digits. Each point is a tolerance or step; lower left is better. Times are the
 least of {ROUNDS} round{'s' * (ROUNDS > 1)} on one core, without set-up and compilation.{busy}
 
 {processor()}, {first("rustc", "--version")}, commit {first("git", "rev-parse", "--short", "HEAD")}, {versions()}, Python {platform.python_version()}.

@@ -56,11 +56,8 @@ Written by `crates/polhode/examples/splitting.rs`.
 1. a kick, L ← L + b h N(attitude, t), at one attitude and time;
 2. free motion for a h, exact to rounding.
 
-| `order` | method | kicks per step |
-|---|---|---|
-| 2 | half a kick, free motion, half a kick | 1 |
-| 4 | SRKN₆ᵇ of Blanes and Moan | 6 |
-| 6 | SRKN₁₁ᵇ of Blanes and Moan | 11 |
+- `order = 2`: half a kick, free motion, half a kick.
+- `order = 4`, `order = 6`: SRKN₆ᵇ and SRKN₁₁ᵇ of Blanes and Moan, with 6 and 11 kicks.
 
 S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313: Runge–Kutta–Nyström methods. The coefficients are cited from memory; `tests/all/splitting.rs` confirms each order on a heavy body without symmetry.
 

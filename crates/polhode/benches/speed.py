@@ -115,6 +115,7 @@ rounds, on one core.
 ## Free motion
 
 ω and attitude of a body with moments (1, 2, 3), ns. Every column has the same bits; vectors are chosen at run time. Long-axis mode takes the same time.
+The machine's vector throughput varies by a third from hour to hour.
 
 | | widest vectors of the machine | AVX2 | no vectors |
 |---|---|---|---|
@@ -131,12 +132,6 @@ I = (1, 2, 3), ω = (0.3, 0.5, 0.9), 1,001 times in 1,000 s, polhode with set-up
 |---|---|---|---|
 | heyoka {peer_version}, Taylor at 2.2e-16 | {peer_ns / 1e3:.0f} | 1 | {angle(peer_end, truth):.1e} |
 {ratios}
-
-## The limit
-
-A state is about 240 additions and multiplications in each lane. At the measured 0.15 ns for an addition and a multiplication of eight lanes (0.17 ns for four) that is
-2.3 ns with AVX-512 and 5 ns with AVX2; two divisions and the transposition add about 1.5 ns. One state alone is a dependency chain of some 160 cycles. The
-machine's vector throughput varies by a third from hour to hour.
 """
     (ROOT / "book/speed.md").write_text(page)
     sys.stdout.write(page)

@@ -140,7 +140,7 @@ fn how(text: &mut String, audited: &[Audited]) {
     let seconds: f64 = audited.iter().map(|one| one.cost.seconds).sum();
     let memory = audited.iter().map(|one| one.cost.memory).max().unwrap_or(0);
     let cost = if memory > 0 {
-        format!(" All took {seconds:.0} s of processor time, and {memory} MiB of memory at most.")
+        format!(" All took {seconds:.0} s of processor time, at most {memory} MiB.")
     } else {
         String::new()
     };

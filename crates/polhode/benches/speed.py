@@ -114,7 +114,7 @@ rounds, on one core.
 
 ## Free motion
 
-ω and attitude of a body with moments (1, 2, 3), ns. Every column has the same bits; vectors are chosen at run time. Long-axis mode takes the same time.
+ω and attitude of a body with moments (1, 2, 3), ns. Every column has the same bits; vectors are chosen at run time. Long-axis mode takes about the same time.
 The machine's vector throughput varies by a third from hour to hour.
 
 | | widest vectors of the machine | AVX2 | no vectors |

@@ -57,7 +57,7 @@ Written by `crates/polhode/examples/splitting.rs`.
 2. free motion for a h, exact to rounding.
 
 - `order = 2`: half a kick, free motion, half a kick.
-- `order = 4`, `order = 6`: SRKN₆ᵇ and SRKN₁₁ᵇ of Blanes and Moan, with 6 and 11 kicks.
+- `order = 4`, `order = 6`: SRKN₆ᵇ and SRKN₁₁ᵇ of Blanes and Moan, with 6 and 11 kicks per step.
 
 S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313: Runge–Kutta–Nyström methods. The coefficients are cited from memory; `tests/all/splitting.rs` confirms each order on a heavy body without symmetry.
 

@@ -217,30 +217,30 @@ def main():
     first = lambda *c: run(*c).strip()
     page = f"""# Mass properties compared with other programs
 
-Written by `benches/mass.py`. One run, one machine: {processor()},
+Written by `benches/mass.py`. {processor()},
 {first("rustc", "--version")}. trimesh {trimesh.__version__}, parry3d-f64 {version["parry3d-f64"]} (files read by stl_io {version["stl_io"]}), OCCT by cadquery-ocp {occt}.
 
 ## Accuracy, and the distance from the origin
 
-Largest error of an element of the central inertia tensor, in units of half its trace, compared with exact arithmetic. The body is a deformed sphere with integer
+Largest error of an element of the central inertia tensor, in units of half its trace. The body is a deformed sphere with integer
 vertices, exact in f64 at every distance:
 
 | triangles | sizes from the origin | polhode | trimesh | parry | OCCT |
 |---|---|---|---|---|---|
 {accuracy}
 
-OCCT integrates a face for every triangle, so it was run on the small mesh only.
+OCCT makes a face of every triangle, so it was run on the small mesh only.
 
 ## Time
 
-From a binary STL file, seconds: process start, reading, integrating, printing; of the Python packages the call alone.
+From a binary STL file, s: whole process; of the Python packages the call alone.
 
 | triangles | file | polhode | stl_io + parry | trimesh | OCCT | times polhode |
 |---|---|---|---|---|---|---|
 {speed}
 
-The full diagnosis of 1.3 million triangles (edges, components, cavities, duplicates, overlaps; `cargo bench -p polhode --bench mesh`) takes 0.25 s
-on one thread and 0.17 s on two. OBJ is read at 0.3 to 0.4 GB/s on one thread (`cargo bench -p polhode-shape --bench obj`).
+The diagnosis of 1.3 million triangles (edges, components, cavities, duplicates, overlaps; `cargo bench -p polhode --bench mesh`) takes 0.25 s
+on one thread, 0.17 s on two. OBJ is read at 0.3 to 0.4 GB/s on one thread (`cargo bench -p polhode-shape --bench obj`).
 """
     (ROOT / "book/mass-properties.md").write_text(page)
     sys.stdout.write(page)

@@ -16,7 +16,6 @@ pub(super) fn text(audited: &[Audited]) -> String {
     let mut text = introduction(audited, &all);
     by_repository(&mut text, audited, &all);
     by_rule(&mut text, &all);
-    refused(&mut text, &all);
     how(&mut text, audited);
     text
 }
@@ -29,12 +28,12 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
         parts => format!(", and {} more files that they include", count(parts)),
     };
     let mut text = format!(
-        "# Findings in public robot models\n\nWritten by `cargo xtask corpus`: findings of `polhode check` in {} public repositories.\n\n",
+        "# Findings in public robot models\n\nWritten by `cargo xtask corpus`: `polhode check` in {} public repositories.\n\n",
         audited.len()
     );
     let _ = writeln!(
         text,
-        "{} different models were read{parts}, with {} links and {} inertials. **{} of {} files with an inertial have \
+        "{} models{parts} have {} links and {} inertials. **{} of {} files with an inertial have \
          an unphysical mass or tensor, {}**. {} files have an impossible finding of any kind, {} a suspect one.",
         count(read),
         count(all.links),
@@ -60,8 +59,7 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
     let rules: Vec<String> = NO_BODY.into_iter().map(linked).collect();
     let _ = writeln!(
         text,
-        "\nUnphysical are impossible findings of {}. Missing or invalid numbers and errors of the tree do not count. Links, inertials and \
-         findings are counted once, in the file that contains them.",
+        "\nUnphysical are impossible findings of {}; missing or invalid numbers and errors of the tree do not count.",
         rules.join(", ")
     );
     text
@@ -77,14 +75,13 @@ fn by_repository(text: &mut String, audited: &[Audited], all: &Counts) {
         LANGUAGES.map(|(key, name)| format!("{} {name}", count(all.read.get(key).copied().unwrap_or(0))));
     let _ = write!(
         text,
-        "\n## By repository\n\nModels: {}; {} files were refused. A finding may name several links. Not counted are {} copies, with the same bytes as \
-         another file, and {} files in folders of tests, where models are wrong on purpose. The link has the commit.\n\n| repository | models | \
-         inertials | files with impossible | impossible | suspect | notes |\n|---|{}\n",
+        "\n## By repository\n\nModels: {}; refused: {}. Not counted are {} copies with the same bytes, and {} files in folders of tests. The link has \
+         the commit.\n\n| repository | models | inertials | files with impossible | impossible | suspect |\n|---|{}\n",
         languages.join(", "),
-        count(all.refused.values().sum()),
+        refused(all),
         count(all.copies),
         count(all.tests),
-        "--:|".repeat(6)
+        "--:|".repeat(5)
     );
     let (impossible, others): (Vec<_>, Vec<_>) = audited.iter().partition(|one| one.counts.findings(0) > 0);
     let link = |Audited { repository, .. }: &&Audited| {
@@ -104,14 +101,8 @@ fn by_repository(text: &mut String, audited: &[Audited], all: &Counts) {
 }
 
 fn row(text: &mut String, counts: &Counts) {
-    let numbers = [
-        counts.files_read(),
-        counts.inertials,
-        counts.files[0],
-        counts.findings(0),
-        counts.findings(1),
-        counts.findings(2),
-    ];
+    let numbers =
+        [counts.files_read(), counts.inertials, counts.files[0], counts.findings(0), counts.findings(1)];
     for number in numbers {
         let _ = write!(text, " {} |", if number == 0 { String::new() } else { count(number) });
     }
@@ -119,7 +110,7 @@ fn row(text: &mut String, counts: &Counts) {
 }
 
 fn by_rule(text: &mut String, all: &Counts) {
-    text.push_str("\n## By rule\n\nRules with notes only are omitted.\n\n| rule | impossible | suspect | notes | files | repositories |\n|---|--:|--:|--:|--:|--:|\n");
+    text.push_str("\n## By rule\n\nFiles and repositories include those with notes only.\n\n| rule | impossible | suspect | files | repositories |\n|---|--:|--:|--:|--:|\n");
     let is_shown = |counts: &RuleCounts| counts.findings[..2] != [0, 0];
     let mut rules: Vec<_> = all.rules.iter().filter(|(_, counts)| is_shown(counts)).collect();
     rules.sort_by(|(code, counts), (other, others)| {
@@ -127,41 +118,40 @@ fn by_rule(text: &mut String, all: &Counts) {
     });
     for (code, counts) in rules {
         let _ = write!(text, "| {} |", linked(code));
-        for number in counts.findings.into_iter().chain([counts.files, counts.repositories]) {
+        for number in [counts.findings[0], counts.findings[1], counts.files, counts.repositories] {
             let _ = write!(text, " {} |", if number == 0 { String::new() } else { count(number) });
         }
         text.push('\n');
     }
 }
 
-fn refused(text: &mut String, all: &Counts) {
-    if all.refused.is_empty() {
-        return;
-    }
-    text.push_str("\n## Refused\n\n| reason | files |\n|---|--:|\n");
+/// Returns the reasons of refusals with their numbers of files.
+fn refused(all: &Counts) -> String {
     let mut reasons: Vec<_> = all.refused.iter().collect();
     reasons.sort_by(|(reason, files), (other, others)| others.cmp(files).then_with(|| reason.cmp(other)));
-    for (reason, files) in reasons {
-        let _ = writeln!(text, "| {} | {} |", reason.replace('|', "\\|"), count(*files));
+    if reasons.is_empty() {
+        return "none".to_owned();
     }
+    let reasons = reasons.into_iter().map(|(reason, files)| format!("{} {reason}", count(*files)));
+    reasons.collect::<Vec<_>>().join(", ")
 }
 
 fn how(text: &mut String, audited: &[Audited]) {
     let seconds: f64 = audited.iter().map(|one| one.cost.seconds).sum();
     let memory = audited.iter().map(|one| one.cost.memory).max().unwrap_or(0);
     let cost = if memory > 0 {
-        format!(" All took {seconds:.0} s of processor time, and {memory} MiB of memory at most.")
+        format!(" All took {seconds:.0} s of processor time, at most {memory} MiB.")
     } else {
         String::new()
     };
     let absent: usize = audited.iter().map(|one| one.repository.absent).sum();
     let _ = write!(
         text,
-        "\n## Method\n\n```console\n$ cargo xtask corpus FOLDER…\n```\n\nEach folder is a work tree of a repository, named by `origin` or by OWNER/NAME at \
-         the end of its path. `polhode check . --json` runs in it, with the folders around all packages (`package.xml`, `model.config`) as `--root`.{cost}\n\n\
-         - The repositories are well known ones, not a sample of all robots.\n- Some simulators accept unphysical tensors.\n- The work trees were snapshots \
-         without large files: {} of the commits' files and the symbolic links were missing. Meshes ([geometry.unreadable](rules.md#geometryunreadable)) and \
-         files elsewhere ([read.include](rules.md#readinclude)) are not in the numbers.\n- `.xacro` files were not expanded.\n",
+        "\n## Method\n\n`cargo xtask corpus FOLDER…` runs `polhode check . --json` in each work tree, named by `origin` or by OWNER/NAME at the end of its path, \
+         with the folders around all packages (`package.xml`, `model.config`) as `--root`.{cost}\n\n\
+         - The repositories are well known ones, not a sample of all robots.\n- Some simulators accept unphysical tensors.\n- The work trees were snapshots without large files: {} of the commits' files \
+         and the symbolic links were missing. Meshes ([geometry.unreadable](rules.md#geometryunreadable)) and files elsewhere \
+         ([read.include](rules.md#readinclude)) are not in the numbers.\n- `.xacro` files were not expanded.\n",
         count(absent)
     );
 }

@@ -152,11 +152,11 @@ impl Header {
     }
 
     fn no_column(&self, name: &str) -> ContentError {
-        let rule = format!("one of the columns that there are: {}", self.all());
+        let rule = format!("one of the columns of the log: {}", self.all());
         let error = value("the column", name.to_owned(), rule, self.whole());
         match nearest(name, self.names.iter().map(String::as_str)) {
             Some(near) => error.hint(format!("did you mean {near}?")),
-            None => error.hint("--columns names columns as the file does; one with blanks stands in quotes"),
+            None => error.hint("write the names as in the file; a name with spaces in quotes"),
         }
     }
 

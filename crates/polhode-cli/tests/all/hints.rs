@@ -53,6 +53,12 @@ fn a_hint_that_is_followed_removes_the_error() {
     assert!(cases.len() >= 60, "{} cases", cases.len());
 }
 
+#[test]
+fn options_in_hints_exist() {
+    let scratch = Scratch::new("hint-options");
+    sites::check_options(|command| String::from_utf8(scratch.run(&[command, "--help"]).stdout).unwrap());
+}
+
 fn cases<'a>() -> Vec<Case<'a>> {
     let mut cases = Vec::new();
     let mut files: BTreeMap<&str, String> = BTreeMap::new();

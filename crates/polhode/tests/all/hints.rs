@@ -1,8 +1,9 @@
 //! Hints of mesh errors, followed: the changed mesh is accepted. Those of other errors are followed
 //! by the tests of the command.
 
+use polhode::body::BodyError;
 use polhode::body::mesh::{ClosedMesh, MeshShell, MeshUnion, Triangle, TriangleMesh};
-use polhode::body::{BodyError, Substance};
+use polhode::body::shape::{Shape, Substance};
 
 /// Tetrahedron with a right angle at `at`, wound outward.
 fn tetrahedron(at: [f64; 3], legs: [f64; 3]) -> Vec<Triangle> {

@@ -78,6 +78,41 @@ pub(super) fn check_names<'a>(cases: impl Iterator<Item = &'a str>) {
     assert_eq!(tested, found, "cases for each file, and calls in it");
 }
 
+/// Checks that the options in hints are options of a command that prints them; `help` returns the
+/// help of a command.
+pub(super) fn check_options(help: impl Fn(&str) -> String) {
+    const COMMANDS: [(&str, &str); 7] = [
+        ("budget", "budget"),
+        ("identify", "identify"),
+        ("judge", "judge simulate"),
+        ("robot", "check inertia"),
+        ("shape", "inertia"),
+        ("sweep", "sweep"),
+        ("table", "judge identify"),
+    ];
+    const ALL: &str =
+        "budget check explain identify inertia judge live new schema simulate spin stability sweep torque";
+    let options = |text: &str| -> Vec<String> {
+        let ends = |c: char| !(c.is_ascii_lowercase() || c == '-');
+        let words =
+            text.split("--").skip(1).map(|rest| rest.split(ends).next().unwrap_or_default().to_owned());
+        words.filter(|word| word.starts_with(|c: char| c.is_ascii_lowercase())).collect()
+    };
+    let known: BTreeMap<&str, Vec<String>> =
+        ALL.split(' ').map(|command| (command, options(&help(command)))).collect();
+    let mut count = 0;
+    for (place, text) in sites() {
+        let named = COMMANDS.iter().find(|(name, _)| place.contains(&format!("/polhode-{name}/")));
+        let commands = named.map_or(ALL, |(_, commands)| commands);
+        for option in options(&text) {
+            count += 1;
+            let exists = commands.split(' ').any(|command| known[command].contains(&option));
+            assert!(exists, "{place}: --{option} is no option of {commands}: {text}");
+        }
+    }
+    assert!(count > 80, "{count}");
+}
+
 /// Returns the texts with which other tests check the beginnings of hints that they follow.
 fn read_back() -> Vec<String> {
     let mut found = Vec::new();

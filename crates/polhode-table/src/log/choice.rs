@@ -285,7 +285,7 @@ impl Known<'_> {
                 let times = (0..self.names.len()).filter(is_time).map(|k| Candidate::time(k, self.names));
                 let best = header.best("the time", "time", times.collect())?;
                 let best = best.ok_or_else(|| {
-                    let hint = "name it time_s, or say which column it is: --columns \"time = NAME\"";
+                    let hint = "name it time_s, or state its column: --columns \"time = NAME\"";
                     header.missing("column of the time", hint)
                 })?;
                 best.columns[0]

@@ -305,8 +305,8 @@ impl Known<'_> {
         }
         let best = header.best("the attitude", "quaternion", attitudes(self.names))?;
         best.ok_or_else(|| {
-            let hint = "name a quaternion qw, qx, qy, qz, a matrix r11 … r33 or the angles roll, pitch, yaw, or say what they \
-                        are: --columns \"quaternion wxyz = A B C D\"";
+            let hint = "name a quaternion qw, qx, qy, qz, a matrix r11 … r33 or the angles roll, pitch, yaw, or state the \
+                        columns: --columns \"quaternion wxyz = A B C D\"";
             match incomplete(self.names) {
                 Some((label, columns)) => {
                     header.missing(&format!("column of {label} beside {}", header.listed(&columns)), hint)

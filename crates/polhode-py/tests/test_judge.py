@@ -305,7 +305,7 @@ def test_errors_of_a_log_have_their_place(tmp_path: Path) -> None:
         polhode.judge(BODY, tmp_path / "nothing.csv")
     with pytest.raises(FileNotFoundError):
         polhode.judge(tmp_path / "nothing.toml", path)
-    with pytest.raises(polhode.PolhodeError, match=r'columns: "wzyx" says nothing of quaternion'):
+    with pytest.raises(polhode.PolhodeError, match=r'columns: unknown word "wzyx" for quaternion'):
         polhode.judge(BODY, path, columns="quaternion wzyx = qw qz qy qx")
     with pytest.raises(polhode.PolhodeError, match="times and omega have no effect on a log"):
         polhode.judge(BODY, path, times=TIMES, omega=np.ones((301, 3)))

@@ -9,12 +9,17 @@ use polhode_source::nearest;
 /// use polhode_shape::material;
 /// assert_eq!(material::named("stainless steel").unwrap().name, "stainless steel");
 /// assert_eq!(material::named("carbon fiber").unwrap_err().suggestion, Some("carbon fibre"));
+/// assert_eq!(material::named("aluminim").unwrap_err().suggestion, Some("aluminium"));
 /// ```
 ///
 /// # Errors
 /// [`UnknownMaterial`] if no material has that name.
 pub fn named(name: &str) -> Result<Material, UnknownMaterial> {
-    let unknown = || UnknownMaterial { suggestion: nearest(name, Material::ALL.iter().map(|m| m.name)) };
+    let names = || Material::ALL.iter().map(|material| material.name);
+    // Two spellings of one name may be equally near.
+    let suggestion =
+        || nearest(name, names()).or_else(|| nearest(name, names().filter(|n| *n != "aluminum")));
+    let unknown = || UnknownMaterial { suggestion: suggestion() };
     Material::named(name).ok_or_else(unknown)
 }
 

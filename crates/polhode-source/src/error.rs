@@ -377,11 +377,11 @@ impl FormatErrorKind {
             Self::Unit(e) => e.hint(),
             Self::Formula(e) => e.hint(),
             Self::Mesh { error: BodyError::OpenMesh { .. } | BodyError::Unorientable { .. }, .. } => Some(
-                "close the surface in the tool that made it (vertices that only nearly coincide count as different); or use its convex hull (--hull), or a sheet along it (--shell)"
+                "close the surface in the tool that made it (vertices that only nearly coincide count as different); or `polhode inertia` with --hull uses its convex hull, with --shell a sheet along it"
                     .to_owned(),
             ),
             Self::Mesh { error: BodyError::OverlappingMesh { .. }, .. } => Some(
-                "unite the solids in the tool that made the mesh (boolean union); or use the convex hull of the whole mesh (--hull)"
+                "unite the solids in the tool that made the mesh (boolean union); or `polhode inertia` with --hull uses the convex hull of the whole mesh"
                     .to_owned(),
             ),
             Self::Body(e) | Self::Mesh { error: e, .. } => {

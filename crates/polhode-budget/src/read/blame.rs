@@ -56,9 +56,10 @@ impl<'a> Blame<'_, '_, 'a> {
         };
         let suggestion = near.map(|near| format!("did you mean \"{near}\"?"));
         let within = self.configuration.map(|name| format!("this is in the configuration \"{name}\""));
-        let hints: Vec<String> =
-            suggestion.into_iter().chain(hint.map(str::to_owned)).chain(within).collect();
-        if hints.is_empty() { error } else { error.with_hint(hints.join("; ")) }
+        let rest: Vec<String> = hint.map(str::to_owned).into_iter().chain(within).collect();
+        let rest = Some(rest.join("; ")).filter(|rest| !rest.is_empty());
+        let hints: Vec<String> = suggestion.into_iter().chain(rest).collect();
+        if hints.is_empty() { error } else { error.with_hint(hints.join(" ")) }
     }
 
     /// Returns the first cell with one of these keys in a row of the list.

@@ -36,8 +36,7 @@ pub(crate) fn declared(
         .collect();
     let mut groups = plan.groups.iter().zip(&plan.places.groups);
     if let Some((group, place)) = groups.find(|(group, _)| !of_rows.contains(group.name.as_str())) {
-        let error = unused(place, "group", &group.name, "the group of a row, or of a tank");
-        return Err(error.suggesting(&group.name, of_rows));
+        return Err(unused(place, "group", &group.name, "the group of a row, or of a tank"));
     }
     let has_reports = [CAD, FILE].iter().any(|key| columns.places.get(*key).is_some_and(Option::is_some));
     match &plan.places.cad {
@@ -52,5 +51,5 @@ fn unused(place: &FormatError, key: &str, value: &str, rule: &str) -> FormatErro
     place
         .clone()
         .replaced(FormatErrorKind::Value { key, value, rule })
-        .with_hint("it has no effect: leave it out, or check its name")
+        .with_hint("it has no effect: delete it, or check its name")
 }

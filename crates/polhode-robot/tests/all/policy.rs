@@ -89,6 +89,11 @@ fn a_comment_of_no_use_is_a_finding() {
             judged.open.iter().find(|f| f.code == code).unwrap_or_else(|| panic!("{comment}: {judged:#?}"));
         assert!(finding.message.contains(said), "{comment}: {}", finding.message);
         assert_eq!(judged.open.len(), 3, "{comment}");
+        if let Some((_, meant)) = finding.message.split_once("did you mean ") {
+            let right = comment.replace("inertia.triangel", meant.trim_end_matches('?'));
+            let judged = self::judged(&Policy::default(), "r.urdf", &robot(&right, ""));
+            assert!(judged.open.iter().all(|f| f.code != code), "{right}: {judged:#?}");
+        }
     }
     // Of several rules, the unused one is reported.
     let two = judged(

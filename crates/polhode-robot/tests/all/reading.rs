@@ -406,7 +406,10 @@ fn attributes_that_mujoco_refuses_are_told_with_what_was_meant() {
         let findings = found(&text);
         assert_eq!(codes(&findings), ["read.unknown"], "{text}");
         assert_eq!(findings[0].subject, subject);
-        assert!(findings[0].message.contains(&format!("did you mean {meant}?")), "{}", findings[0].message);
+        let message = &findings[0].message;
+        assert!(message.contains(&format!("did you mean {meant}?")), "{message}");
+        let wrong = message.split('=').next().unwrap();
+        assert_eq!(codes(&found(&text.replace(wrong, meant))), [""; 0], "{message}");
     }
     assert_eq!(
         codes(&found(

@@ -41,7 +41,8 @@ pub(crate) fn events(
 ) -> Result<Vec<Event>, FormatError> {
     let list = root.get("event").filter(|_| root.get("run").is_none());
     if let Some(list) = list {
-        let hint = "events need [run]: add it, or leave out [[event]]";
+        let hint =
+            "an event needs a run: add [run] with duration = \"10 s\" and samples = 101, or delete [[event]]";
         return Err(list.invalid("used with [run]").with_hint(hint));
     }
     events_of(root, torques, references)
@@ -231,7 +232,7 @@ fn action(value: &Value<'_>, torques: &Torques) -> Result<EventAction, FormatErr
         None => {
             let known: Vec<&str> = torques.names.iter().flatten().map(String::as_str).collect();
             let hint = match (known.is_empty(), nearest(name, known.iter().copied())) {
-                (true, _) => "give the [[torque]] a name = \"...\"".to_owned(),
+                (true, _) => format!("give the [[torque]] name = \"{name}\""),
                 (false, Some(near)) => format!("did you mean \"{near}\"?"),
                 (false, None) => format!("the names are {}", known.join(", ")),
             };

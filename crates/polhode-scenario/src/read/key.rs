@@ -93,7 +93,7 @@ fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<S
             elements.iter().position(|node| name_of(node) == Some(name)).ok_or_else(|| {
                 let hint = match nearest(name, names()) {
                     Some(near) => format!("did you mean '{done}[\"{near}\"]{after}'?"),
-                    None => format!("write {done}[0], or give it a name = \"...\""),
+                    None => format!("write \"{done}[0]{after}\", or give one of them name = \"{name}\""),
                 };
                 (format!("a key of the scenario; no {done} is named \"{name}\""), Some(hint))
             })?

@@ -78,7 +78,7 @@ pub(crate) fn read<'a>(
         let (at_start, _) = history.at(0.0).map_err(|error| file.motion(error))?;
         if mass_table::differs(&at_start, body) {
             let rule = "a table that agrees with [body] at t = 0";
-            let hint = "[body] and the table contradict each other at t = 0: use a body.part of shape \"tensor\" with the values of the table at t = 0";
+            let hint = "write the values of the table at t = 0 into [body], in a part of shape = \"tensor\"";
             return Err(file.invalid(rule).with_hint(hint));
         }
     }
@@ -271,7 +271,7 @@ fn place(value: &Value<'_>, parts: &[BodyPart]) -> Result<usize, FormatError> {
             let error = value.invalid("the name of a part of the body");
             Err(match nearest(name, parts.iter().map(|part| part.name.as_str())) {
                 Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
-                None => error.with_hint("give the part a name = \"...\""),
+                None => error.with_hint(format!("give the part name = \"{name}\"")),
             })
         }
     }

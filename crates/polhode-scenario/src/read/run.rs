@@ -130,7 +130,11 @@ fn method(table: &Table<'_>) -> Result<Method, FormatError> {
         return Ok(Method::Splitting { order, step });
     }
     if let Some(value) = table.get("order").or_else(|| table.get("step")) {
-        let hint = "other methods choose their steps from the tolerance: add method = \"splitting\"";
+        let hint = match (table.get("method"), value.key()) {
+            (None, _) => "other methods choose their steps from the tolerance: add method = \"splitting\"",
+            (Some(_), "step") => "this method chooses its steps from the tolerance: leave out step",
+            (Some(_), _) => "this method has its own order: leave out order",
+        };
         return Err(value.invalid("left out without method = \"splitting\"").with_hint(hint));
     }
     Ok(match name {

@@ -142,7 +142,7 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
 }
 
 const ONE_KIND: &str =
-    "write decimal points, and separate the numbers only by blanks, only by commas, or only by semicolons";
+    "write decimal points, and separate the numbers only by spaces, only by commas, or only by semicolons";
 
 /// Returns the error for a line with several separators.
 fn mixed(line: &str, place: ContentPlace) -> ContentError {

@@ -2,59 +2,52 @@
 
 use crate::text::cut;
 
-/// Foreign key, the known key to which the advice applies, and the advice.
+/// Foreign key, the known key to which the advice applies, and the advice; empty if the known key
+/// has the same values.
 const KEYS: [(&str, &str, &str); 57] = [
     ("euler", "euler313", EULER),
     ("roll", "euler313", ROLL),
-    ("rpy", "euler313", ROLL),
+    ("rpy", "roll_pitch_yaw", ""),
     ("ypr", "euler313", ROLL),
     ("yaw", "euler313", ROLL),
     ("pitch", "euler313", ROLL),
-    (
-        "xyzw",
-        "euler313",
-        "write quaternion_xyzw = [0, 0, 0, 1], scalar last, or quaternion = [1, 0, 0, 0], scalar first",
-    ),
-    ("wxyz", "euler313", "write quaternion = [1, 0, 0, 0], scalar first"),
-    ("rotation_matrix", "matrix", "write matrix: rows of three, v_space = R v_body"),
-    ("dcm", "matrix", "write matrix: rows of three, v_space = R v_body"),
-    (
-        "height",
-        "semi_major_axis",
-        "write altitude = \"400 km\": above the Earth's equatorial radius, 6378.137 km",
-    ),
+    ("xyzw", "quaternion_xyzw", ""),
+    ("wxyz", "quaternion", ""),
+    ("rotation_matrix", "matrix", ""),
+    ("dcm", "matrix", ""),
+    ("height", "altitude", ""),
     ("central_body", "mu", "write mu = \"398600.44 km^3/s^2\", the value of the central body"),
-    ("raan", "node", "write node: the longitude of the ascending node"),
+    ("raan", "node", ""),
     (
         "period",
         "semi_major_axis",
         "write rate = \"0.0011 rad/s\", for a circular orbit: 2π divided by the period",
     ),
-    ("mean_motion", "rate", "write rate = \"0.0011 rad/s\", for a circular orbit"),
+    ("mean_motion", "rate", ""),
     ("diameter", "radius", "write radius, half the diameter"),
     ("scale", "unit", "write unit = \"mm\", the unit of length of the file"),
-    ("units", "unit", "write unit = \"mm\", the unit of length of the file"),
-    ("orientation", "rotate", "write rotate = { axis = [0, 0, 1], angle = \"90 deg\" }"),
-    ("rotation", "rotate", "write rotate = { axis = [0, 0, 1], angle = \"90 deg\" }"),
-    ("orientation", "attitude", "write attitude = { axis = [0, 0, 1], angle = \"90 deg\" }"),
-    ("rotation", "attitude", "write attitude = { axis = [0, 0, 1], angle = \"90 deg\" }"),
+    ("units", "unit", ""),
+    ("orientation", "rotate", ""),
+    ("rotation", "rotate", ""),
+    ("orientation", "attitude", ""),
+    ("rotation", "attitude", ""),
     ("omega", "spin", SPIN),
     ("angular_velocity", "spin", SPIN),
     ("angular_momentum", "spin", "write spin = { momentum = [0, 0, \"4 N m s\"] }, in space axes"),
-    ("com", "center_of_mass", "write center_of_mass = [0, 0, \"10 mm\"]"),
-    ("principal_moments", "moments", "write moments = [\"1 kg m^2\", \"2 kg m^2\", \"2.5 kg m^2\"]"),
-    ("tensor", "inertia", "write inertia, a matrix of three rows"),
-    ("t_end", "duration", "write duration = \"20 s\""),
-    ("time", "duration", "write duration = \"20 s\""),
+    ("com", "center_of_mass", ""),
+    ("principal_moments", "moments", ""),
+    ("tensor", "inertia", ""),
+    ("t_end", "duration", ""),
+    ("time", "duration", ""),
     ("dt", "every", "write every = \"10 ms\", the sample interval; the method chooses its own steps"),
     ("time_step", "every", "write every = \"10 ms\", the sample interval; the method chooses its own steps"),
-    ("integrator", "method", "write method = \"auto\""),
-    ("type", "model", "write model = \"constant\", or another model"),
-    ("kind", "model", "write model = \"constant\", or another model"),
-    ("type", "shape", "write shape = \"box\", or another shape"),
-    ("kind", "shape", "write shape = \"box\", or another shape"),
-    ("runs", "members", "write members = 1000"),
-    ("samples", "members", "write members = 1000"),
+    ("integrator", "method", ""),
+    ("type", "model", ""),
+    ("kind", "model", ""),
+    ("type", "shape", ""),
+    ("kind", "shape", ""),
+    ("runs", "members", ""),
+    ("samples", "members", ""),
     ("altitude", "attitude", ORBIT),
     ("height", "attitude", ORBIT),
     ("altitude", "model", ORBIT),
@@ -64,12 +57,12 @@ const KEYS: [(&str, &str, &str); 57] = [
     ("reference", "relative_to", RELATIVE),
     ("lvlh", "relative_to", RELATIVE),
     ("axis", "to", "write body = [0, 0, 1]: a direction of the body"),
-    ("target", "to", "write to = \"nadir\""),
+    ("target", "to", ""),
     ("euler", "attitude", IN_ATTITUDE),
     ("roll", "attitude", IN_ATTITUDE),
     ("damping", "attitude", DAMPING_OF_TORQUE),
-    ("mu", "static_friction", "write friction = 0.3"),
-    ("mu_s", "static_friction", "write static_friction = 0.35"),
+    ("mu", "friction", ""),
+    ("mu_s", "static_friction", ""),
     (
         "body",
         "torque",
@@ -80,7 +73,7 @@ const KEYS: [(&str, &str, &str); 57] = [
         "torque",
         "write axes = \"space\" and, on the next line, torque = [\"0 N m\", \"0 N m\", \"0.1 N m\"]",
     ),
-    ("damping", "coefficient", "write coefficient, the damping coefficient of the torque"),
+    ("damping", "coefficient", ""),
 ];
 
 const ORBIT: &str = "write [orbit] on a line of its own, and under it altitude = \"400 km\", in place of it";
@@ -146,12 +139,13 @@ const HOLLOW_SPHERE: &str =
     "write shape = \"sphere\" with its inner_radius, or \"sphere_shell\" for a thin wall";
 const DAMPING: &str = "use model = \"drag\" for air drag, or \"energy_sink\" for internal friction";
 
-/// Returns advice for an unknown key in a table with these known keys.
-pub(crate) fn key(word: &str, known: &[&str]) -> Option<&'static str> {
+/// Returns the known key that an unknown key means in a table with these known keys, and the advice,
+/// which is empty if only the key changes.
+pub(crate) fn key(word: &str, known: &[&str]) -> Option<(&'static str, &'static str)> {
     // All sequences that are not supported (euler123, euler_zyx) get the same advice.
     let word = if word.to_lowercase().starts_with("euler") { "euler" } else { word };
     let meant = KEYS.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours));
-    meant.map(|(.., advice)| *advice)
+    meant.map(|&(_, ours, advice)| (ours, advice))
 }
 
 /// Returns advice for an unknown name in a list of valid names.

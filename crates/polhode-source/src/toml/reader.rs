@@ -61,8 +61,11 @@ impl<'a> Table<'a> {
         let unknown = self.entries.iter().filter(|(key, _)| !known.contains(&key.as_ref()));
         let Some((key, entry)) = unknown.min_by_key(|(_, entry)| entry.key.start) else { return Ok(()) };
         let key = key.to_string();
-        let advice = meant::key(&key, known).map(str::to_owned);
-        let suggestion = if advice.is_some() { None } else { nearest(&key, known.iter().copied()) };
+        let (suggestion, advice) = match meant::key(&key, known) {
+            Some((ours, "")) => (Some(ours), None),
+            Some((_, advice)) => (None, Some(advice.to_owned())),
+            None => (nearest(&key, known.iter().copied()), None),
+        };
         let misplaced = match key.as_str() {
             "title" => Some("write title above the first table".to_owned()),
             // Only a table can be a misplaced top-level table.

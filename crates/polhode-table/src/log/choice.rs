@@ -152,11 +152,11 @@ impl Header {
     }
 
     fn no_column(&self, name: &str) -> ContentError {
-        let rule = format!("one of the columns that there are: {}", self.all());
+        let rule = format!("one of the columns of the log: {}", self.all());
         let error = value("the column", name.to_owned(), rule, self.whole());
         match nearest(name, self.names.iter().map(String::as_str)) {
             Some(near) => error.hint(format!("did you mean {near}?")),
-            None => error.hint("--columns names columns as the file does; one with blanks stands in quotes"),
+            None => error.hint("write the names as in the file; a name with spaces in quotes"),
         }
     }
 
@@ -285,7 +285,7 @@ impl Known<'_> {
                 let times = (0..self.names.len()).filter(is_time).map(|k| Candidate::time(k, self.names));
                 let best = header.best("the time", "time", times.collect())?;
                 let best = best.ok_or_else(|| {
-                    let hint = "name it time_s, or say which column it is: --columns \"time = NAME\"";
+                    let hint = "name it time_s, or state its column: --columns \"time = NAME\"";
                     header.missing("column of the time", hint)
                 })?;
                 best.columns[0]
@@ -305,8 +305,8 @@ impl Known<'_> {
         }
         let best = header.best("the attitude", "quaternion", attitudes(self.names))?;
         best.ok_or_else(|| {
-            let hint = "name a quaternion qw, qx, qy, qz, a matrix r11 … r33 or the angles roll, pitch, yaw, or say what they \
-                        are: --columns \"quaternion wxyz = A B C D\"";
+            let hint = "name a quaternion qw, qx, qy, qz, a matrix r11 … r33 or the angles roll, pitch, yaw, or state the \
+                        columns: --columns \"quaternion wxyz = A B C D\"";
             match incomplete(self.names) {
                 Some((label, columns)) => {
                     header.missing(&format!("column of {label} beside {}", header.listed(&columns)), hint)

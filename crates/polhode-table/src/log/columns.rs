@@ -273,10 +273,10 @@ impl FromStr for Columns {
 impl fmt::Display for ColumnsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Form { part } => write!(f, "{:?} does not say which columns are what", cut(part)),
+            Self::Form { part } => write!(f, "{:?} does not have the form QUANTITY = NAMES", cut(part)),
             Self::Quote => f.write_str("a quote is not closed"),
-            Self::Key { key, .. } => write!(f, "{:?} is nothing that columns can be", cut(key)),
-            Self::Word { key, word, .. } => write!(f, "{:?} says nothing of {key}", cut(word)),
+            Self::Key { key, .. } => write!(f, "unknown quantity {:?}", cut(key)),
+            Self::Word { key, word, .. } => write!(f, "unknown word {:?} for {key}", cut(word)),
             Self::Count { key, expected, found } => {
                 write!(f, "{key} has {}, not {found}", counted(*expected, "column"))
             }
@@ -290,21 +290,19 @@ impl ColumnsError {
     pub fn hint(&self) -> String {
         match self {
             Self::Form { .. } => {
-                "a part is what they are, = and their names: quaternion xyzw = q0 q1 q2 q3".to_owned()
+                "write the quantity, = and the names of its columns: quaternion xyzw = q0 q1 q2 q3".to_owned()
             }
-            Self::Quote => "a name with blanks or commas stands in quotes: t = \"time, s\"".to_owned(),
+            Self::Quote => "put a name with spaces or commas in quotes: t = \"time, s\"".to_owned(),
             Self::Key { suggestion, .. } => {
                 let meant = suggestion.map_or(String::new(), |key| format!("did you mean {key}? "));
                 format!(
-                    "{meant}columns can be time, quaternion, matrix, euler and omega, or in short t, q, R, e and w"
+                    "{meant}the quantities are time, quaternion, matrix, euler and omega, in short t, q, R, e and w"
                 )
             }
-            Self::Word { known, .. } => format!("the words are {known}"),
+            Self::Word { known, .. } => format!("choose from {known}"),
             Self::Count { key: "time", .. } => "name one column".to_owned(),
             Self::Count { .. } => {
-                "name them one by one with blanks between, or neighbours by the first and the last: \
-                                   q0..q3"
-                    .to_owned()
+                "separate the names by spaces, or write a range of neighbours: q0..q3".to_owned()
             }
             Self::Twice { .. } => "name it once".to_owned(),
         }

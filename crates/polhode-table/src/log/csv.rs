@@ -131,7 +131,7 @@ pub(crate) fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentErr
             if names.is_none() && !is_told && head.columns.is_none() {
                 let kind = ContentErrorKind::Missing { what: "names of its columns".to_owned() };
                 return Err(ContentError::new(kind, ContentPlace::Text(line)).hint(
-                    "write them in the first line, or say what the columns are by their numbers: --columns \"time = 1, quaternion \
+                    "write them in the first line, or state the columns by their numbers: --columns \"time = 1, quaternion \
                      wxyz = 2..5\"",
                 ));
             }

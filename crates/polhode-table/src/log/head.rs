@@ -85,7 +85,7 @@ impl Head {
         let is_known = ["scenario", "engine", "step", "units", "columns"].contains(&plain);
         if is_known && !self.given.insert(plain.to_owned()) {
             let error = refused("given once".to_owned());
-            return error.map_err(|error| error.hint("remove the line that is not meant"));
+            return error.map_err(|error| error.hint("remove one of the two lines"));
         }
         match plain {
             "scenario" if value.is_empty() => refused("the path of a scenario".to_owned())?,

@@ -147,9 +147,7 @@ impl RowError {
                     "" => {
                         "write a row only where all of its columns are known, or leave the column out by --columns"
                     }
-                    _ if found.contains(',') => {
-                        "the decimal mark of a log is a point: write it so, or replace the commas"
-                    }
+                    _ if found.contains(',') => "write decimal points: replace the commas",
                     _ if row == 1 => {
                         "below the header stand numbers: units stand in the names, such as omega_x [deg/s]"
                     }
@@ -171,7 +169,7 @@ impl RowError {
                 let rule = format!("{expected} fields long, like the header; it has {found}");
                 let hint = match found > expected && plan.has_commas {
                     true => "a decimal comma makes two fields of one: the decimal mark is a point",
-                    false => "a line that is cut short is one that the program did not finish: delete it",
+                    false => "the program did not finish this line: delete it",
                 };
                 (value(format!("row {row}"), line, &rule), hint)
             }

@@ -306,10 +306,11 @@ impl MotionError {
                 "start nearer to one, on level ground without slip and pivoting friction: a symmetric body that rolls straight or spins upright, or a spin about the vertical on a point below the centre of mass",
             ),
             Self::NoClosedForm { .. } => Some("use method = \"auto\" or \"dop853\""),
+            Self::BeyondReach { time, .. } if !time.is_finite() => None,
             Self::BeyondReach { .. } => {
-                Some("use an earlier time; rounding of the input determines the phase long before")
+                Some("use an earlier time; long before this one, the rounding of the input limits the phase")
             }
-            Self::NotSplittable { .. } => Some("use method = \"taylor\" or \"dop853\""),
+            Self::NotSplittable { .. } => Some("use method = \"auto\", without step and order"),
             Self::StepTooSmall { .. } | Self::TooManySteps { .. } => {
                 Some("loosen the tolerance or lengthen the step, or shorten the duration")
             }
@@ -319,13 +320,13 @@ impl MotionError {
             Self::TooManyEvents { .. } => Some(
                 "shorten the duration; an event that switches the quantity that it measures may repeat endlessly: give it a direction or a dead band",
             ),
-            Self::NoPotential => Some("measure the kinetic energy"),
+            Self::NoPotential => Some("use measure = \"kinetic_energy\""),
             Self::RunAway { .. } => {
                 Some("check the sign of the torque: a torque that grows with ω is unbounded")
             }
             Self::NotSmooth { .. } => Some("use method = \"auto\" or \"dop853\""),
             Self::HalfTurn { .. } => {
-                Some("stop the run before with an event on the angle, or start with less energy")
+                Some("stop the run earlier, by an event on the angle, or start with less energy")
             }
             Self::Chatter { .. } => Some(
                 "give the events that switch on and off different values, with the controller's dead band between them",
@@ -424,7 +425,9 @@ impl fmt::Display for MotionError {
             }
             Self::BeyondReach { time, reach } => write!(
                 f,
-                "t = {time} s is too far away: this motion is known up to {reach:.1e} s from its start, where rounding limits its phase to six digits",
+                "t = {time} s is too far away: this motion is known up to {:.1e} s from its start, where rounding limits its phase to six digits",
+                // Rounded down: a time up to this one is accepted.
+                0.95 * reach,
                 time = plain(*time)
             ),
             Self::NotSplittable { what, why } => {

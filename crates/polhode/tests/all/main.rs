@@ -27,6 +27,7 @@ mod free_derivatives;
 mod free_motion;
 mod gimbals;
 mod heavy_top;
+mod hints;
 mod hollow_shapes;
 mod inverse;
 mod jacobi_form;

@@ -166,7 +166,7 @@ fn what_is_no_kick_is_refused() {
     let error = refusal(&heavy(), sink());
     let said = "splitting cannot take the torque \"energy_sink\": it acts inside the body";
     assert_eq!(error.to_string(), said);
-    assert_eq!(error.hint(), Some("use method = \"taylor\" or \"dop853\""));
+    assert_eq!(error.hint(), Some("use method = \"auto\", without step and order"));
     assert!(!error.is_numerical());
     // also outside its times
     let schedule = Schedule::window(7.0, 8.0).unwrap();

@@ -23,7 +23,7 @@ const PLACES: [(&str, &str, &str, &str); 17] = [
         "the slip at the start",
         "start",
         "velocity",
-        "leave out velocity with law = \"rolling\", or write law = \"friction\" for a slipping body",
+        "a rolling body does not slip: leave out velocity, or write law = \"friction\" for a slipping body",
     ),
     ("the least principal moment about the centre of mass", "body", "part", "give the body a thickness"),
     (

@@ -48,10 +48,14 @@ fn held(table: &Table<'_>) -> Result<Option<&'static str>, FormatError> {
     if !held.boolean()? {
         return Ok(None);
     }
-    let still = table.get("rate").or_else(|| table.get("damping")).filter(|_| held.key() == "locked");
-    if let Some(idle) = still {
-        let hint = "a motor keeps the rate constant: write driven = true";
-        return Err(idle.invalid("left out with locked = true: the axis does not turn").with_hint(hint));
+    let still = [
+        ("rate", "leave out rate; or write driven = true for locked = true: a motor keeps the rate constant"),
+        ("damping", "leave out damping"),
+    ];
+    for (key, hint) in still {
+        if let Some(idle) = table.get(key).filter(|_| held.key() == "locked") {
+            return Err(idle.invalid("left out with locked = true: the axis does not turn").with_hint(hint));
+        }
     }
     if held.key() == "driven" {
         table.require("rate", "rate = \"24000 rpm\"")?;

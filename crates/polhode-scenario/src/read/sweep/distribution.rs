@@ -208,7 +208,7 @@ fn relative(form: &Value<'_>, nominal: f64) -> Result<Distribution, FormatError>
     }
     if nominal == 0.0 {
         let error = form.invalid("left out, since the number is written as zero");
-        return Err(error.with_hint("write normal = { mean = 0, sd = 0.1 }"));
+        return Err(error.with_hint("write normal = { mean = 0, sd = 0.1 } in place of relative"));
     }
     let (from, to) = (f64::NEG_INFINITY, f64::INFINITY);
     Ok(Distribution::Normal { mean: nominal, sd: share * nominal.abs(), from, to })

@@ -185,7 +185,7 @@ fn keys<'a>(key: &Value<'a>) -> Result<Vec<Value<'a>>, FormatError> {
     let keys = key.elements("a key, or an array of keys")?;
     if keys.len() < 2 {
         let error = key.invalid("one key, or an array of the keys of several numbers that vary as one");
-        return Err(error.with_hint("write key = [\"body.part[0].mass\", \"body.part[1].mass\"]"));
+        return Err(error.with_hint("write key = \"body.part[0].mass\""));
     }
     Ok(keys)
 }

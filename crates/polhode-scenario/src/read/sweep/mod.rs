@@ -172,9 +172,15 @@ fn replicates(table: &Table<'_>, sampling: Sampling, members: u64) -> Result<u64
             }
             let rule =
                 format!("2 … {MOST_REPLICATES}, and a divisor of the {members} members, at least 2 of each");
-            return Err(value
-                .invalid(rule)
-                .with_hint("16 replicates determine the error to about 20 %: write replicates = 16"));
+            let fitting = (2..=16).rev().find(|count| members.is_multiple_of(*count) && members > *count);
+            let hint = match fitting {
+                Some(16) => {
+                    "16 replicates determine the error to about 20 %: write replicates = 16".to_owned()
+                }
+                Some(count) => format!("write replicates = {count}, or a multiple of 16 as members"),
+                None => "write a multiple of 16 as members".to_owned(),
+            };
+            return Err(value.invalid(rule).with_hint(hint));
         }
         Sampling::Grid => "a grid is not a random sample",
         Sampling::MonteCarlo => "the error of independent members is estimated without replicates",

@@ -165,7 +165,9 @@ fn inverse(
         Convention::Short => AxisConvention::ShortAxis,
     };
     TumblerReport::new(subject.source(), subject.principal()?, periods, convention).map_err(|error| {
-        let hint = "try the other --convention, or twice or half of a period: a light curve may show either";
+        let other = if convention == AxisConvention::LongAxis { "short" } else { "long" };
+        let hint =
+            format!("try --convention {other}, or twice or half of a period: a light curve may show either");
         Failure::usage(error.to_string(), hint)
     })
 }

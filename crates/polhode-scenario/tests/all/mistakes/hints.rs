@@ -310,6 +310,19 @@ fn words_of_others_are_told_ours() {
         (spun("spin = [1, 2, 3]"), spun("spin = { body = [1, 2, 3] }")),
         (spun("attitude = [0, 1, 0, 0]"), spun("attitude = { quaternion = [0, 1, 0, 0] }")),
         (
+            spun("attitude = { xyzw = [0, 0.6, 0, 0.8] }"),
+            spun("attitude = { quaternion_xyzw = [0, 0.6, 0, 0.8] }"),
+        ),
+        (
+            spun("attitude = { wxyz = [0.8, 0, 0.6, 0] }"),
+            spun("attitude = { quaternion = [0.8, 0, 0.6, 0] }"),
+        ),
+        (spun("attitude = { rpy = [1, 2, 3] }"), spun("attitude = { roll_pitch_yaw = [1, 2, 3] }")),
+        (
+            spun("orientation = { quaternion = [0.8, 0, 0.6, 0] }"),
+            spun("attitude = { quaternion = [0.8, 0, 0.6, 0] }"),
+        ),
+        (
             turned("model = 'spring'\nstiffness = '1 N m/rad'"),
             turned("model = 'torsion'\nstiffness = '1 N m/rad'"),
         ),
@@ -345,9 +358,6 @@ fn words_of_others_are_told_ours() {
             spun("frame = 'lvlh'").replace("[run]", "[orbit]\naltitude = '500 km'\n[run]"),
             "write relative_to = \"orbit\"",
         ),
-        (spun("attitude = { xyzw = [0, 0, 0, 1] }"), "write quaternion_xyzw = [0, 0, 0, 1]"),
-        (spun("attitude = { wxyz = [1, 0, 0, 0] }"), "write quaternion = [1, 0, 0, 0]"),
-        (spun("attitude = { rpy = [1, 2, 3] }"), "write roll_pitch_yaw = "),
         (spun("damping = 0.1"), "damping is a [[torque]]:"),
         (spun("attitude = { euler_zyx = [1, 2, 3] }"), "write euler313 = ["),
         (format!("orbit = {{ period = '90 min' }}\n{BODY}"), "write rate = \"0.0011 rad/s\""),

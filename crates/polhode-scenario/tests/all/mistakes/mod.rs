@@ -274,12 +274,14 @@ fn a_fixed_step_has_no_tolerance_and_a_tolerance_no_step() {
         "tolerance = 1e-9 must be left out of a run by splitting",
         "the step determines the accuracy: leave out tolerance",
     );
-    for (key, value) in [("order", "4"), ("step", "'5 ms'")] {
-        refuses(
-            &format!("{BALL}{RUN}method = 'taylor'\n{key} = «{value}»"),
-            &format!("{key} = {value} must be left out without method = \"splitting\""),
-            "other methods choose their steps from the tolerance:",
-        );
+    for (key, value, own) in [
+        ("order", "4", "this method has its own order: leave out order"),
+        ("step", "'5 ms'", "this method chooses its steps from the tolerance: leave out step"),
+    ] {
+        let message = format!("{key} = {value} must be left out without method = \"splitting\"");
+        refuses(&format!("{BALL}{RUN}method = 'taylor'\n{key} = «{value}»"), &message, own);
+        let splitting = "other methods choose their steps from the tolerance: add method = \"splitting\"";
+        refuses(&format!("{BALL}{RUN}{key} = «{value}»"), &message, splitting);
         refuses(
             &format!("{BALL}[prescribed]\naxis=[0,0,1]\nrate=1\n{RUN}{key}=«{value}»"),
             &format!("{key} = {value} must be left out"),

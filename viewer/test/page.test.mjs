@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { folder, launch, open, shoot, withoutPixels } from "./browser.mjs";
-import { integrate, rotate, samples, tensor, WHEEL } from "./sample.mjs";
+import { integrate, ORBIT, rotate, samples, tensor, WHEEL } from "./sample.mjs";
 
 let browser;
 before(async () => {
@@ -709,6 +709,61 @@ test("a satellite has the directions of its orbit and the cones of its pointings
     }
     assert.ok(found.size > 0.3, `the body takes ${found.size} of the picture, whatever its tape`);
     await shoot(page, `sky-${colorScheme}`);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
+test("a satellite has its orbit in a corner, with its place there, and no label on it; and the Sun if there is one", async () => {
+  const data = samples.orbiting();
+  data.motion.directions[2].name = "sun";
+  for (const [colorScheme, viewport] of [["light", { width: 1024, height: 768 }], ["dark", { width: 390, height: 844 }]]) {
+    const { page, problems, close } = await open(browser, `orbit-${colorScheme}`, data, { colorScheme, viewport });
+    const found = await page.evaluate(() => {
+      const { clock, view } = window.polhode;
+      const { clientWidth, clientHeight } = document.querySelector("#canvas");
+      const corner = view.orbitShown.corner(clientWidth, clientHeight);
+      const inCorner = () => {
+        const canvas = window.polhode.picture();
+        const scale = canvas.width / clientWidth;
+        const pixels = canvas.getContext("2d").getImageData(scale * corner.x, scale * corner.y, scale * corner.size, scale * corner.size).data;
+        let count = 0;
+        for (let i = 4; i < pixels.length; i += 4) if ([0, 1, 2].some((k) => Math.abs(pixels[i + k] - pixels[k]) > 12)) count += 1;
+        return count / (pixels.length / 4);
+      };
+      const places = [7, 24].map((t) => {
+        clock.set(t);
+        view.render();
+        const { points, place } = view.orbitShown;
+        const names = view.labels.placed.map(({ text, x, y }) => ({ text, x, y }));
+        return { place: place.toArray(), points: points.map((p) => p.toArray()), names };
+      });
+      clock.set(0);
+      view.render();
+      const on = inCorner();
+      const sun = view.layers.find(({ label }) => label === "Sun").objects[0].children.map(({ type }) => type);
+      const layer = view.layers.find(({ id }) => id === "orbit");
+      view.toggle(layer);
+      view.render();
+      const off = { ink: inCorner(), corner: view.orbitShown };
+      view.toggle(layer);
+      return { corner, places, on, off, sun, height: clientHeight };
+    });
+    const { corner } = found;
+    assert.ok(corner.x >= 0 && corner.y + corner.size <= found.height && corner.size >= 80);
+    assert.ok(found.on > 0.1 && found.off.ink < 0.02 && found.off.corner === null, JSON.stringify([found.on, found.off]));
+    const a = ORBIT.parameter / (1 - 0.09);
+    for (const [k, t] of [7, 24].entries()) {
+      const { place, points, names } = found.places[k];
+      // The direction from the centre turns by 0.05 rad/s; the centre of the ellipse is the origin.
+      const out = [Math.cos(0.05 * t), 0.6 * Math.sin(0.05 * t), 0.8 * Math.sin(0.05 * t)];
+      const r = ORBIT.parameter / (1 + out.reduce((sum, x, c) => sum + x * ORBIT.eccentricity[c], 0));
+      place.forEach((x, c) => assert.ok(Math.abs(x - (r * out[c]) / a - ORBIT.eccentricity[c]) < 1e-6, `${place}`));
+      assert.ok(Math.min(...points.map((p) => Math.hypot(...p.map((x, c) => x - place[c])))) < 0.03);
+      assert.ok(names.length > 5 && names.every(({ x, y }) => x > corner.x + corner.size || y < corner.y), JSON.stringify(names));
+    }
+    assert.deepEqual(found.sun, ["Group", "Mesh"], "an arrow and a ball");
+    await shoot(page, `orbit-${colorScheme}`);
     assert.deepEqual(problems, []);
     await close();
   }

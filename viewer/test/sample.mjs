@@ -227,7 +227,7 @@ function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "cen
     body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid: { half: ellipsoid, quaternion: body.quaternion }, box: boxOf(body, mass, about, lever), shapes },
     motion,
     free,
-    scene: { period: null, gravity: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },
+    scene: { period: null, gravity: null, orbit: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },
     top,
     facts: FACTS,
     findings: [{ severity: "warning", message: "The spin is 0.8° from the unstable intermediate axis: it flips." }],
@@ -364,6 +364,9 @@ function wheeled() {
   return made;
 }
 
+/** The orbit of `orbiting`: its plane, and its periapsis 1 rad after the start. */
+export const ORBIT = { parameter: 1.1e7, eccentricity: [Math.cos(1), 0.6 * Math.sin(1), 0.8 * Math.sin(1)].map((x) => 0.3 * x), normal: [0, -0.8, 0.6], central: 6.378e6 };
+
 /** The same on an orbit, with a camera whose limit is sometimes exceeded, panels, and a tip mass on a long tape. */
 function orbiting() {
   const made = wheeled();
@@ -372,6 +375,7 @@ function orbiting() {
   const along = (phase) => f32([...times].flatMap((t) => [Math.cos(0.05 * t + phase), 0.6 * Math.sin(0.05 * t + phase), 0.8 * Math.sin(0.05 * t + phase)]));
   const box = (name, position, size) => ({ ...PART, kind: "box", name, position, size });
   made.title = "A satellite on an orbit";
+  made.scene = { ...made.scene, orbit: ORBIT };
   made.body = {
     ...body,
     shapes: [

@@ -343,11 +343,9 @@ test("parts of one name have one colour, each with contrast to the page, in both
   const inks = inksOf(["bus", "panel, left", "panel, right", "tank 1", "tank 2", "boom"].map((name) => ({ name })));
   assert.deepEqual(inks, ["part-1", "part-2", "part-2", "part-3", "part-3", "part-4"]);
   const css = readFileSync(new URL("../src/theme.css", import.meta.url), "utf8");
-  const blocks = css.split("--paper:").slice(1).map((block) => `--paper:${block.split("}")[0]}`);
-  assert.equal(blocks.length, 3);
   const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
-  for (const block of blocks) {
-    const rgb = (name) => new RegExp(`--${name}: #([0-9a-f]{6});`).exec(block)[1].match(/../g).map((c) => parseInt(c, 16));
+  for (const theme of [0, 1]) {
+    const rgb = (name) => new RegExp(`--${name}: light-dark\\(#([0-9a-f]{6}), #([0-9a-f]{6})\\);`).exec(css)[1 + theme].match(/../g).map((c) => parseInt(c, 16));
     const luminance = (name) => rgb(name).reduce((sum, c, k) => sum + [0.2126, 0.7152, 0.0722][k] * linear(c / 255), 0);
     const parts = PARTS.map((part) => ({ part, rgb: rgb(part) }));
     for (const { part, rgb: a } of parts) {
@@ -356,6 +354,13 @@ test("parts of one name have one colour, each with contrast to the page, in both
       for (const other of parts) if (other.part > part) assert.ok(Math.hypot(...a.map((c, k) => c - other.rgb[k])) > 25, `${part} and ${other.part}`);
     }
   }
+});
+
+test("each colour of the themes is stated once", () => {
+  const css = readFileSync(new URL("../src/theme.css", import.meta.url), "utf8");
+  const names = [...css.matchAll(/^ *(--[a-z0-9-]+):/gm)].map(([, name]) => name);
+  assert.ok(names.length > 20 && new Set(names).size === names.length, names.join());
+  assert.ok(!css.includes("prefers-color-scheme"));
 });
 
 test("a solid with a part inside is transparent", () => {

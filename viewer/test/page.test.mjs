@@ -447,6 +447,39 @@ test("a phone shows it without scrolling sideways; dark colours are dark", async
   await close();
 });
 
+test("colours are those of the system, or of the button, on the page, in plots and in the view", async () => {
+  const { page, problems, close } = await open(browser, "theme", samples.free(), { colorScheme: "light" });
+  const [light, dark] = [["rgb(255, 255, 255)", "a8418f", "#a8418f"], ["rgb(15, 20, 24)", "e08fc8", "#e08fc8"]];
+  const seen = () =>
+    page.evaluate(async () => {
+      const { view } = window.polhode;
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      const [shaft] = view.layers.find(({ id }) => id === "omega").objects[0].children;
+      const label = getComputedStyle([...document.querySelectorAll(".label")].find((e) => e.textContent === "𝛚")).color;
+      const hex = `#${label.match(/\d+/g).map((c) => Number(c).toString(16).padStart(2, "0")).join("")}`;
+      return [getComputedStyle(document.body).backgroundColor, shaft.material.color.getHexString(), hex];
+    });
+  assert.deepEqual(await seen(), light);
+  await page.emulateMedia({ colorScheme: "dark" });
+  assert.deepEqual(await seen(), dark, "the system's, at once");
+  await page.click("#theme");
+  assert.deepEqual(await seen(), light, "the button wins");
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.click("#theme");
+  assert.deepEqual(await seen(), dark);
+  // A curve of a plot is drawn on a canvas, in a colour that this must understand.
+  const curve = await page.evaluate(() => {
+    const canvas = document.querySelector("#panel-plots canvas");
+    const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    let count = 0;
+    for (let i = 0; i < pixels.length; i += 4) if (pixels[i] === 0xff && pixels[i + 1] === 0x8a && pixels[i + 2] === 0x3c) count += 1;
+    return count;
+  });
+  assert.ok(curve > 50, `${curve} pixels of the y axis's colour`);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("labels keep off the body", async () => {
   const { page, close } = await open(browser, "labels", samples.balls());
   for (const t of [0, 1.7, 5.3, 9.1, 14.4]) {

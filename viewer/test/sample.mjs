@@ -248,13 +248,13 @@ function boxOf({ moments, quaternion }, mass, about, lever) {
 const PART = { name: "part", position: [0, 0, 0], quaternion: [1, 0, 0, 0] };
 const TURN_X = [Math.SQRT1_2, Math.SQRT1_2, 0, 0];
 
-function free() {
+function free(count = 2001, fine = 20) {
   // T-handle: a stem along body x and a bar along body y; the principal axes 1 2 3 are y x z.
   const moments = [1.71e-5, 4.61e-5, 5.83e-5];
   const quaternion = unit([0, Math.SQRT1_2, Math.SQRT1_2, 0]);
   const body = makeBody(moments, quaternion);
   const q = unit([0.9, 0.3, -0.2, 0.25]);
-  const rows = integrate(body, q, [11, 0.31, 0.52], 20, 2001);
+  const rows = integrate(body, q, [11, 0.31, 0.52], 20, count, undefined, fine);
   const shapes = [
     { ...PART, name: "bar", kind: "cylinder", radius: 0.0055, inner: 0, height: 0.074, position: [-0.009, 0, 0], quaternion: TURN_X },
     { ...PART, name: "stem", kind: "cylinder", radius: 0.0065, inner: 0.003, height: 0.036, position: [0.0145, 0, 0], quaternion: [Math.SQRT1_2, 0, Math.SQRT1_2, 0] },
@@ -455,6 +455,7 @@ const once = (make) => {
 
 export const samples = {
   free: once(free),
+  many: once(() => free(10_001, 4)),
   symmetric: once(symmetric),
   heavy: once(heavy),
   tilted: once(tilted),

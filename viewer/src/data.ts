@@ -164,7 +164,7 @@ export interface MotionData {
   pointings: { name: string; body: [number, number, number]; target: number; limit: number | null; values: Row }[];
   /**
    * Directions at a satellite, space axes: unit vectors, 3 n × f32, or one that is fixed. Names are
-   * "nadir", "velocity", "B" and others.
+   * "nadir", "velocity", "B", "sun" and others.
    */
   directions: { name: string; fixed: [number, number, number] | null; values: Base64 | null }[];
   /** Events with time, s, and name; only the first ones if there are many. */
@@ -270,8 +270,25 @@ export interface SceneData {
   period: number | null;
   /** Acceleration of gravity, space axes, m/s²; null if it exerts no torque on the body. */
   gravity: [number, number, number] | null;
+  /** Orbit of a satellite; null without one. */
+  orbit: OrbitData | null;
   /** Caption of each picture, one line. */
   captions: { body: string; poinsot: string | null; cones: string | null; sphere: string | null };
+}
+
+/**
+ * A conic r = p/(1 + e · r̂) about the centre of attraction, space axes. r̂ is opposite to the nadir of
+ * the directions.
+ */
+export interface OrbitData {
+  /** Parameter p (semi-latus rectum), m. */
+  parameter: number;
+  /** Vector e to the periapsis, with the eccentricity as its length. */
+  eccentricity: [number, number, number];
+  /** Unit vector along r × v. */
+  normal: [number, number, number];
+  /** Radius of the central body, m; null if it is not known. */
+  central: number | null;
 }
 
 export interface FactGroup {

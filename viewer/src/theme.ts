@@ -1,14 +1,24 @@
 /** Theme: light, dark, or that of the system. */
-import { byId } from "./dom";
+import { byId, element } from "./dom";
 
 /** Cache, because reading the style sheet is slow. */
 const known = new Map<string, string>();
 
-/** Returns the colour of theme.css with this name, without its dashes. */
+/** Element whose colour is read: the property has the colours of both themes. */
+let probe: HTMLElement | null = null;
+
+/** Returns the colour of theme.css with this name, without its dashes, as #rrggbb. */
 export function ink(name: string): string {
-  const value = known.get(name) ?? getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  const value = known.get(name) ?? read(name);
   known.set(name, value);
   return value;
+}
+
+function read(name: string): string {
+  if (!probe) document.body.append((probe = element("span", { hidden: true })));
+  probe.style.color = `var(--${name})`;
+  const channels = getComputedStyle(probe).color.match(/\d+/g) ?? [];
+  return `#${channels.slice(0, 3).map((c) => Number(c).toString(16).padStart(2, "0")).join("")}`;
 }
 
 /** Message that sets the theme of the surrounding document. */

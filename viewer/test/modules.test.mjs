@@ -17,6 +17,7 @@ const { curve, largestSoFar } = await load("plot/curve.ts");
 const { labels, marked, marksOf } = await load("plot/events.ts");
 const { Motion } = await load("motion.ts");
 const { directions, Farthest } = await load("scene/framing.ts");
+const { Conic } = await load("scene/conic.ts");
 const { inksOf, PARTS } = await load("scene/body.ts");
 const { enclosing } = await load("scene/inside.ts");
 const { Shadow } = await load("scene/shadow.ts");
@@ -342,11 +343,9 @@ test("parts of one name have one colour, each with contrast to the page, in both
   const inks = inksOf(["bus", "panel, left", "panel, right", "tank 1", "tank 2", "boom"].map((name) => ({ name })));
   assert.deepEqual(inks, ["part-1", "part-2", "part-2", "part-3", "part-3", "part-4"]);
   const css = readFileSync(new URL("../src/theme.css", import.meta.url), "utf8");
-  const blocks = css.split("--paper:").slice(1).map((block) => `--paper:${block.split("}")[0]}`);
-  assert.equal(blocks.length, 3);
   const linear = (c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
-  for (const block of blocks) {
-    const rgb = (name) => new RegExp(`--${name}: #([0-9a-f]{6});`).exec(block)[1].match(/../g).map((c) => parseInt(c, 16));
+  for (const theme of [0, 1]) {
+    const rgb = (name) => new RegExp(`--${name}: light-dark\\(#([0-9a-f]{6}), #([0-9a-f]{6})\\);`).exec(css)[1 + theme].match(/../g).map((c) => parseInt(c, 16));
     const luminance = (name) => rgb(name).reduce((sum, c, k) => sum + [0.2126, 0.7152, 0.0722][k] * linear(c / 255), 0);
     const parts = PARTS.map((part) => ({ part, rgb: rgb(part) }));
     for (const { part, rgb: a } of parts) {
@@ -355,6 +354,13 @@ test("parts of one name have one colour, each with contrast to the page, in both
       for (const other of parts) if (other.part > part) assert.ok(Math.hypot(...a.map((c, k) => c - other.rgb[k])) > 25, `${part} and ${other.part}`);
     }
   }
+});
+
+test("each colour of the themes is stated once", () => {
+  const css = readFileSync(new URL("../src/theme.css", import.meta.url), "utf8");
+  const names = [...css.matchAll(/^ *(--[a-z0-9-]+):/gm)].map(([, name]) => name);
+  assert.ok(names.length > 20 && new Set(names).size === names.length, names.join());
+  assert.ok(!css.includes("prefers-color-scheme"));
 });
 
 test("a solid with a part inside is transparent", () => {
@@ -569,6 +575,36 @@ test("of many points those that are farthest in each direction are found, in any
     for (const p of points.slice(400)) both.add(p);
     assert.deepEqual(both.points, farthest.points);
     assert.deepEqual(some.points, found);
+  }
+});
+
+test("the curve of an orbit is its conic, whole or as far as the motion goes, in the unit sphere", () => {
+  const n = new Vector3(0.36, -0.8, 0.48);
+  const toward = new Vector3(0.8, 0, -0.6);
+  const ahead = n.clone().cross(toward);
+  const parameter = 1.1e7;
+  const out = (nu) => toward.clone().multiplyScalar(Math.cos(nu)).addScaledVector(ahead, Math.sin(nu));
+  for (const [e, nus, isWhole] of [[0, [-1.7, 0.4], true], [0.3, [-1.7, 0.4], true], [0.98, [2.9, 3.1], true], [0.98, [-1.7, 0.4], false], [1, [-1.7, 0.4], false], [2.1, [-1.7, 0.4], false]]) {
+    const outs = nus.map(out);
+    const data = { parameter, eccentricity: toward.clone().multiplyScalar(e).toArray(), normal: n.toArray(), central: null };
+    const conic = new Conic(data, outs);
+    const middle = conic.at(new Vector3());
+    const places = conic.points.map((p) => p.clone().sub(middle).multiplyScalar(conic.unit));
+    for (const p of places) {
+      const [r, x] = [p.length(), p.dot(toward)];
+      assert.ok(Math.abs(r + e * x - parameter) < 1e-9 * (r + parameter) && Math.abs(p.dot(n)) < 1e-9 * r, `e = ${e}: ${p.toArray()}`);
+    }
+    const far = Math.max(...conic.points.map((p) => p.length()));
+    assert.ok(far < 1 + 1e-12 && far > 0.7, `e = ${e}: ${far}`);
+    // No bend of it has few points: each is short of a 20th of the picture from the next.
+    const steps = conic.points.slice(1).map((p, k) => p.distanceTo(conic.points[k]));
+    assert.ok(Math.max(...steps) < 0.1, `e = ${e}: ${Math.max(...steps)}`);
+    assert.equal(conic.points[0].distanceTo(conic.points.at(-1)) < 1e-9, isWhole, `e = ${e}`);
+    // The body at both ends of the motion is on the curve.
+    for (const one of outs) {
+      const place = conic.at(one.clone().multiplyScalar(conic.distance(one)));
+      assert.ok(Math.min(...conic.points.map((p) => p.distanceTo(place))) < 0.05, `e = ${e}`);
+    }
   }
 });
 

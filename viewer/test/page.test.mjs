@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { folder, launch, open, shoot, withoutPixels } from "./browser.mjs";
-import { integrate, rotate, samples, tensor, WHEEL } from "./sample.mjs";
+import { integrate, ORBIT, rotate, samples, tensor, WHEEL } from "./sample.mjs";
 
 let browser;
 before(async () => {
@@ -447,6 +447,39 @@ test("a phone shows it without scrolling sideways; dark colours are dark", async
   await close();
 });
 
+test("colours are those of the system, or of the button, on the page, in plots and in the view", async () => {
+  const { page, problems, close } = await open(browser, "theme", samples.free(), { colorScheme: "light" });
+  const [light, dark] = [["rgb(255, 255, 255)", "a8418f", "#a8418f"], ["rgb(15, 20, 24)", "e08fc8", "#e08fc8"]];
+  const seen = () =>
+    page.evaluate(async () => {
+      const { view } = window.polhode;
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      const [shaft] = view.layers.find(({ id }) => id === "omega").objects[0].children;
+      const label = getComputedStyle([...document.querySelectorAll(".label")].find((e) => e.textContent === "𝛚")).color;
+      const hex = `#${label.match(/\d+/g).map((c) => Number(c).toString(16).padStart(2, "0")).join("")}`;
+      return [getComputedStyle(document.body).backgroundColor, shaft.material.color.getHexString(), hex];
+    });
+  assert.deepEqual(await seen(), light);
+  await page.emulateMedia({ colorScheme: "dark" });
+  assert.deepEqual(await seen(), dark, "the system's, at once");
+  await page.click("#theme");
+  assert.deepEqual(await seen(), light, "the button wins");
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.click("#theme");
+  assert.deepEqual(await seen(), dark);
+  // A curve of a plot is drawn on a canvas, in a colour that this must understand.
+  const curve = await page.evaluate(() => {
+    const canvas = document.querySelector("#panel-plots canvas");
+    const pixels = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    let count = 0;
+    for (let i = 0; i < pixels.length; i += 4) if (pixels[i] === 0xff && pixels[i + 1] === 0x8a && pixels[i + 2] === 0x3c) count += 1;
+    return count;
+  });
+  assert.ok(curve > 50, `${curve} pixels of the y axis's colour`);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("labels keep off the body", async () => {
   const { page, close } = await open(browser, "labels", samples.balls());
   for (const t of [0, 1.7, 5.3, 9.1, 14.4]) {
@@ -709,6 +742,61 @@ test("a satellite has the directions of its orbit and the cones of its pointings
     }
     assert.ok(found.size > 0.3, `the body takes ${found.size} of the picture, whatever its tape`);
     await shoot(page, `sky-${colorScheme}`);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
+test("a satellite has its orbit in a corner, with its place there, and no label on it; and the Sun if there is one", async () => {
+  const data = samples.orbiting();
+  data.motion.directions[2].name = "sun";
+  for (const [colorScheme, viewport] of [["light", { width: 1024, height: 768 }], ["dark", { width: 390, height: 844 }]]) {
+    const { page, problems, close } = await open(browser, `orbit-${colorScheme}`, data, { colorScheme, viewport });
+    const found = await page.evaluate(() => {
+      const { clock, view } = window.polhode;
+      const { clientWidth, clientHeight } = document.querySelector("#canvas");
+      const corner = view.orbitShown.corner(clientWidth, clientHeight);
+      const inCorner = () => {
+        const canvas = window.polhode.picture();
+        const scale = canvas.width / clientWidth;
+        const pixels = canvas.getContext("2d").getImageData(scale * corner.x, scale * corner.y, scale * corner.size, scale * corner.size).data;
+        let count = 0;
+        for (let i = 4; i < pixels.length; i += 4) if ([0, 1, 2].some((k) => Math.abs(pixels[i + k] - pixels[k]) > 12)) count += 1;
+        return count / (pixels.length / 4);
+      };
+      const places = [7, 24].map((t) => {
+        clock.set(t);
+        view.render();
+        const { points, place } = view.orbitShown;
+        const names = view.labels.placed.map(({ text, x, y }) => ({ text, x, y }));
+        return { place: place.toArray(), points: points.map((p) => p.toArray()), names };
+      });
+      clock.set(0);
+      view.render();
+      const on = inCorner();
+      const sun = view.layers.find(({ label }) => label === "Sun").objects[0].children.map(({ type }) => type);
+      const layer = view.layers.find(({ id }) => id === "orbit");
+      view.toggle(layer);
+      view.render();
+      const off = { ink: inCorner(), corner: view.orbitShown };
+      view.toggle(layer);
+      return { corner, places, on, off, sun, height: clientHeight };
+    });
+    const { corner } = found;
+    assert.ok(corner.x >= 0 && corner.y + corner.size <= found.height && corner.size >= 80);
+    assert.ok(found.on > 0.1 && found.off.ink < 0.02 && found.off.corner === null, JSON.stringify([found.on, found.off]));
+    const a = ORBIT.parameter / (1 - 0.09);
+    for (const [k, t] of [7, 24].entries()) {
+      const { place, points, names } = found.places[k];
+      // The direction from the centre turns by 0.05 rad/s; the centre of the ellipse is the origin.
+      const out = [Math.cos(0.05 * t), 0.6 * Math.sin(0.05 * t), 0.8 * Math.sin(0.05 * t)];
+      const r = ORBIT.parameter / (1 + out.reduce((sum, x, c) => sum + x * ORBIT.eccentricity[c], 0));
+      place.forEach((x, c) => assert.ok(Math.abs(x - (r * out[c]) / a - ORBIT.eccentricity[c]) < 1e-6, `${place}`));
+      assert.ok(Math.min(...points.map((p) => Math.hypot(...p.map((x, c) => x - place[c])))) < 0.03);
+      assert.ok(names.length > 5 && names.every(({ x, y }) => x > corner.x + corner.size || y < corner.y), JSON.stringify(names));
+    }
+    assert.deepEqual(found.sun, ["Group", "Mesh"], "an arrow and a ball");
+    await shoot(page, `orbit-${colorScheme}`);
     assert.deepEqual(problems, []);
     await close();
   }

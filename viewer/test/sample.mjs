@@ -227,7 +227,7 @@ function page({ title, body, mass, shapes, ellipsoid, motion, free, about = "cen
     body: { mass, inertia: body.inertia, about, lever, principal: { moments: body.moments, quaternion: body.quaternion }, ellipsoid: { half: ellipsoid, quaternion: body.quaternion }, box: boxOf(body, mass, about, lever), shapes },
     motion,
     free,
-    scene: { period: null, gravity: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },
+    scene: { period: null, gravity: null, orbit: null, captions: free ? FREE_CAPTIONS : CAPTIONS, ...scene },
     top,
     facts: FACTS,
     findings: [{ severity: "warning", message: "The spin is 0.8° from the unstable intermediate axis: it flips." }],
@@ -248,13 +248,13 @@ function boxOf({ moments, quaternion }, mass, about, lever) {
 const PART = { name: "part", position: [0, 0, 0], quaternion: [1, 0, 0, 0] };
 const TURN_X = [Math.SQRT1_2, Math.SQRT1_2, 0, 0];
 
-function free() {
+function free(count = 2001, fine = 20) {
   // T-handle: a stem along body x and a bar along body y; the principal axes 1 2 3 are y x z.
   const moments = [1.71e-5, 4.61e-5, 5.83e-5];
   const quaternion = unit([0, Math.SQRT1_2, Math.SQRT1_2, 0]);
   const body = makeBody(moments, quaternion);
   const q = unit([0.9, 0.3, -0.2, 0.25]);
-  const rows = integrate(body, q, [11, 0.31, 0.52], 20, 2001);
+  const rows = integrate(body, q, [11, 0.31, 0.52], 20, count, undefined, fine);
   const shapes = [
     { ...PART, name: "bar", kind: "cylinder", radius: 0.0055, inner: 0, height: 0.074, position: [-0.009, 0, 0], quaternion: TURN_X },
     { ...PART, name: "stem", kind: "cylinder", radius: 0.0065, inner: 0.003, height: 0.036, position: [0.0145, 0, 0], quaternion: [Math.SQRT1_2, 0, Math.SQRT1_2, 0] },
@@ -364,6 +364,9 @@ function wheeled() {
   return made;
 }
 
+/** The orbit of `orbiting`: its plane, and its periapsis 1 rad after the start. */
+export const ORBIT = { parameter: 1.1e7, eccentricity: [Math.cos(1), 0.6 * Math.sin(1), 0.8 * Math.sin(1)].map((x) => 0.3 * x), normal: [0, -0.8, 0.6], central: 6.378e6 };
+
 /** The same on an orbit, with a camera whose limit is sometimes exceeded, panels, and a tip mass on a long tape. */
 function orbiting() {
   const made = wheeled();
@@ -372,6 +375,7 @@ function orbiting() {
   const along = (phase) => f32([...times].flatMap((t) => [Math.cos(0.05 * t + phase), 0.6 * Math.sin(0.05 * t + phase), 0.8 * Math.sin(0.05 * t + phase)]));
   const box = (name, position, size) => ({ ...PART, kind: "box", name, position, size });
   made.title = "A satellite on an orbit";
+  made.scene = { ...made.scene, orbit: ORBIT };
   made.body = {
     ...body,
     shapes: [
@@ -451,6 +455,7 @@ const once = (make) => {
 
 export const samples = {
   free: once(free),
+  many: once(() => free(10_001, 4)),
   symmetric: once(symmetric),
   heavy: once(heavy),
   tilted: once(tilted),

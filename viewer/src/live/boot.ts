@@ -60,5 +60,5 @@ start().catch((problem: unknown) => {
   const place = document.getElementById("problem");
   if (!place) return;
   place.hidden = false;
-  place.textContent = `The page cannot start: ${problem instanceof Error ? problem.message : String(problem)}. It needs a browser of 2023 or later with WebAssembly.`;
+  place.textContent = `The page cannot start: ${problem instanceof Error ? problem.message : String(problem)}. It needs a browser of June 2024 or later with WebAssembly.`;
 });

@@ -40,7 +40,7 @@ export const EMPTY: PageData = {
     complete: true,
   },
   free: null,
-  scene: { period: null, gravity: null, captions: { body: "", poinsot: null, cones: null, sphere: null } },
+  scene: { period: null, gravity: null, orbit: null, captions: { body: "", poinsot: null, cones: null, sphere: null } },
   top: null,
   facts: [],
   findings: [],

@@ -7,6 +7,7 @@
 import { type Camera, Vector3 } from "three";
 import { svgElement } from "../dom";
 import { Density } from "./density";
+import type { Corner } from "./orbit";
 import type { Ink } from "./palette";
 
 export interface Label {
@@ -68,6 +69,7 @@ export class Labels {
   readonly #host: HTMLElement;
   readonly #lines: SVGSVGElement;
   readonly #made = new Map<string, Made>();
+  #corner: Corner | null = null;
 
   constructor(host: HTMLElement) {
     this.#host = host;
@@ -84,9 +86,10 @@ export class Labels {
 
   /**
    * Draws labels. `outline`: points of the body's hull, in the space of the picture. `from`: origin
-   * of its arrows. Arrows come before labels of other objects.
+   * of its arrows. Arrows come before labels of other objects. No label is in `corner`.
    */
-  draw(labels: Label[], outline: Vector3[], from: Vector3, camera: Camera, width: number, height: number): void {
+  draw(labels: Label[], outline: Vector3[], from: Vector3, camera: Camera, width: number, height: number, corner: Corner | null = null): void {
+    this.#corner = corner;
     const project = (p: Vector3): Point => {
       const v = p.clone().project(camera);
       return [(0.5 + v.x / 2) * width, (0.5 - v.y / 2) * height];
@@ -213,6 +216,8 @@ export class Labels {
   }
 
   #isTaken(x: number, y: number, made: Made): boolean {
+    const corner = this.#corner;
+    if (corner && near(corner.x + corner.size / 2 - x, corner.y + corner.size / 2 - y, made, corner.size, corner.size)) return true;
     return this.placed.some((other) => {
       const o = this.#made.get(other.key ?? other.text);
       return o !== undefined && near(other.x - x, other.y - y, made, o.w + 2 * APART, o.h);

@@ -19,10 +19,11 @@ import { Contents, directions, type Seen } from "./framing";
 import type { Label } from "./labels";
 import type { Layer, Picture } from "./layers";
 import { Marker } from "./marker";
+import { Orbit } from "./orbit";
 import type { Palette } from "./palette";
 import { Poinsot } from "./poinsot";
 import { Sky } from "./sky";
-import { MomentumSphere } from "./sphere";
+import { MomentumSphere, rim } from "./sphere";
 import { HeavyBody } from "./top";
 import { axis, telling, Trail, type TrailCurves, type Trailed } from "./trails";
 import { Wheels } from "./wheels";
@@ -71,6 +72,7 @@ export class MotionScene {
   readonly #contact: ContactScene | null;
   readonly #wheels: Wheels | null;
   readonly #sky: Sky | null;
+  readonly #orbit: Orbit | null;
   readonly #contents: Contents;
   /** Pairs of a picture and a layer that is on in it at first. */
   readonly #first: Set<string>;
@@ -104,6 +106,7 @@ export class MotionScene {
     this.#contact = motion.contact && new ContactScene(motion.contact, motion, this.model.radius, this.model.outline, palette);
     this.#wheels = motion.wheels.length > 0 ? new Wheels(motion, this.scales.momentum, palette) : null;
     this.#sky = Sky.of(motion, palette);
+    this.#orbit = Orbit.of(page.scene.orbit, motion, palette);
     this.omega = new Arrow("omega", THICK, palette);
     this.#momentum = new Arrow("ink", THICK, palette);
     this.#torque = new Arrow("torque", THICK, palette);
@@ -118,7 +121,7 @@ export class MotionScene {
 
   /** Releases GPU memory, except for objects that a later scene took over. */
   dispose(): void {
-    for (const part of [this.space, this.body]) dispose(part, this.#palette);
+    for (const part of [this.space, this.body, ...(this.#orbit ? [this.#orbit.root] : [])]) dispose(part, this.#palette);
   }
 
   /** Makes the contents of a picture. */
@@ -144,6 +147,11 @@ export class MotionScene {
         this.layers.find((layer) => layer.id === id)?.objects.push(object);
       }
     }
+  }
+
+  /** The orbit, if it is shown. */
+  get orbit(): Orbit | null {
+    return this.#orbit?.object.visible ? this.#orbit : null;
   }
 
   /** Updates the scene to `time`, or to a given attitude. */
@@ -244,6 +252,7 @@ export class MotionScene {
       this.#heavy?.pose(now.attitude, this.#turned);
       this.#wheels?.pose(time);
       this.#sky?.pose(time);
+      this.#orbit?.pose(time);
     }
   }
 
@@ -275,7 +284,7 @@ export class MotionScene {
 
   /** Returns points that no label of an arrow may cover. */
   outline(picture: Picture, eye: Vector3): Vector3[] {
-    return picture === "sphere" ? round(eye) : this.#outline((id) => this.#isOn(id, picture), picture).map(this.#turned);
+    return picture === "sphere" ? rim(eye) : this.#outline((id) => this.#isOn(id, picture), picture).map(this.#turned);
   }
 
   // Returns the outline in body axes.
@@ -332,6 +341,7 @@ export class MotionScene {
       this.space.add(this.#sky.space);
       this.body.add(this.#sky.body);
       this.layers.push(...this.#sky.layers);
+      if (this.#orbit) this.#put("orbit", "Orbit", "quiet", "line", { body: true }, this.#orbit.object);
       // A satellite is seen against its directions; the rest is on request.
       const others = ["momentum", "torque", "space-axes", "trail"];
       if (this.#motion.directions.some(({ name }) => name === "nadir")) for (const layer of this.layers) if (others.includes(layer.id)) layer.on.body = false;
@@ -385,16 +395,4 @@ function scale(before: number | undefined, telling: number, ...rows: Float64Arra
   for (const values of rows) for (let i = 0; i < telling; i += 1) most = Math.max(most, Math.abs(values[i]));
   if (before && most * before >= KEPT[0] && most * before <= KEPT[1]) return before;
   return most > 0 ? LONGEST / most : 0;
-}
-
-// Returns the rim of the unit sphere as seen by a camera.
-function round(eye: Vector3): Vector3[] {
-  const n = eye.clone().normalize();
-  const a = new Vector3(-n.y, n.x, 0).normalize();
-  const b = n.clone().cross(a);
-  const k = 1.04;
-  return Array.from({ length: 32 }, (_, i) => {
-    const t = (i / 32) * 2 * Math.PI;
-    return a.clone().multiplyScalar(k * Math.cos(t)).addScaledVector(b, k * Math.sin(t));
-  });
 }

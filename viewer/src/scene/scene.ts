@@ -13,6 +13,7 @@ import { Labels } from "./labels";
 import { apply, type Layer, type Picture } from "./layers";
 import { Light } from "./light";
 import { MotionScene } from "./motion-scene";
+import type { Orbit } from "./orbit";
 import { Palette } from "./palette";
 import { TrailCurves, type Trailed } from "./trails";
 
@@ -90,6 +91,11 @@ export class View {
     const isOn = this.layers.find(({ id }) => id === "omega")?.on[this.picture] === true;
     const { middle, omega, scales } = this.#shown;
     return this.picture === "body" && isOn ? { foot: middle, tip: omega.tip, scale: scales.omega } : null;
+  }
+
+  /** The orbit, if it is shown. */
+  get orbitShown(): Orbit | null {
+    return this.#shown.orbit;
   }
 
   /** Attitude (w, x, y, z) of the displayed body. */
@@ -236,8 +242,9 @@ export class View {
     const { camera } = orbit;
     this.#light.follow(orbit);
     renderer.render(this.#scene, camera);
+    shown.orbit?.draw(renderer, camera, width, height);
     const names = shown.labels(picture, time, camera.position, this.#allowed);
-    labels.draw(names, shown.outline(picture, camera.position), shown.middle, camera, width, height);
+    labels.draw(names, shown.outline(picture, camera.position), shown.middle, camera, width, height, shown.orbit?.corner(width, height) ?? null);
   }
 
   /** Returns the attitude (w, x, y, z) of the body in the scene at `time`. */

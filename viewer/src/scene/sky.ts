@@ -1,7 +1,7 @@
 /**
- * Directions of space at a satellite, such as nadir with the Earth, velocity and the magnetic
- * field, as thin arrows; and the directions of the body that a pointing is about, as cones of the
- * limit or as lines. A cone that its target has left has the colour of warnings.
+ * Directions of space at a satellite, such as nadir with the Earth, the Sun, velocity and the
+ * magnetic field, as thin arrows; and the directions of the body that a pointing is about, as cones
+ * of the limit or as lines. A cone that its target has left has the colour of warnings.
  */
 import { type Color, ConeGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, SphereGeometry, Vector3 } from "three";
 import { indexAt } from "../clock";
@@ -14,21 +14,25 @@ import type { Layer } from "./layers";
 import type { Ink, Palette } from "./palette";
 
 const REACH = 1.5;
-const EARTH = 0.1;
-/** Far side of the Earth, relative to the tip of its arrow. */
-const BEYOND = 1 + (2 * EARTH) / REACH;
+/** Radii of the Earth and of the Sun at the tips of their arrows. */
+const BALLS: Record<string, number> = { nadir: 0.1, sun: 0.07 };
 /** Length of the side of a cone, and the largest half-angle that is drawn as one, rad. */
 const SIDE = 1.35;
 const WIDEST = 1.4;
 const WIDTH = 0.008;
 const BALL = kept(new SphereGeometry(1, 32, 24));
-const INKS: Record<string, Ink> = { nadir: "earth", velocity: "quiet", B: "wheel" };
+const INKS: Record<string, Ink> = { nadir: "earth", velocity: "quiet", B: "wheel", sun: "torque" };
 
 interface Seen {
   layer: string;
   name: string;
   ink: Ink;
   arrow: Arrow;
+}
+
+/** Arrow with a celestial body at its tip, or null. */
+interface Target extends Seen {
+  ball: Mesh | null;
 }
 
 interface Sensor extends Seen {
@@ -44,8 +48,7 @@ export class Sky {
   readonly body = new Group();
   readonly #motion: Motion;
   readonly #palette: Palette;
-  readonly #seen: Seen[];
-  readonly #earth: Group | null = null;
+  readonly #seen: Target[];
   readonly #sensors: Sensor[];
 
   constructor(motion: Motion, palette: Palette) {
@@ -56,18 +59,13 @@ export class Sky {
       const arrow = new Arrow(ink, WIDTH, palette);
       const group = new Group();
       group.add(arrow.object);
+      const ball = name in BALLS ? new Mesh(BALL, palette.shared("ball", ink, () => new MeshStandardMaterial({ roughness: 0.8 }))) : null;
+      if (ball) group.add(ball);
+      ball?.scale.setScalar(BALLS[name]);
       this.space.add(group);
       const label = name.charAt(0).toUpperCase() + name.slice(1);
-      return { layer: this.#put(`direction-${k}`, label, ink, true, group), name, ink, arrow };
+      return { layer: this.#put(`direction-${k}`, label, ink, true, group), name, ink, arrow, ball };
     });
-    const nadir = motion.directions.findIndex(({ name }) => name === "nadir");
-    if (nadir >= 0) {
-      this.#earth = new Group();
-      const ball = new Mesh(BALL, palette.shared("earth", "earth", () => new MeshStandardMaterial({ roughness: 0.8 })));
-      ball.scale.setScalar(EARTH);
-      this.#earth.add(ball);
-      this.space.children[nadir].add(this.#earth);
-    }
     // A line along an axis of the body would cover that.
     this.#sensors = motion.pointings.map(({ name, body, limit }, k) => {
       const ink = look(k).ink as Ink;
@@ -90,10 +88,10 @@ export class Sky {
   }
 
   pose(time: number): void {
-    this.#seen.forEach(({ arrow, name }, k) => {
+    this.#seen.forEach(({ arrow, ball, name }, k) => {
       const [x, y, z] = this.#motion.directionAt(k, time).map((c) => c * REACH);
       arrow.point(x, y, z);
-      if (name === "nadir") this.#earth?.position.set(x, y, z).multiplyScalar(1 + EARTH / REACH);
+      ball?.position.set(x, y, z).multiplyScalar(1 + BALLS[name] / REACH);
     });
     const i = indexAt(this.#motion.times, time);
     this.#sensors.forEach((sensor, k) => {
@@ -109,7 +107,7 @@ export class Sky {
     const seen = this.#seen.filter(({ layer, arrow }) => on(layer) && arrow.drawn);
     const sensors = this.#sensors.filter(({ layer }) => on(layer));
     return [
-      ...seen.map(({ name, ink, arrow }): Label => ({ text: name, ink, tip: arrow.tip.clone().multiplyScalar(name === "nadir" ? BEYOND : 1) })),
+      ...seen.map(({ name, ink, arrow }): Label => ({ text: name, ink, tip: arrow.tip.clone().multiplyScalar(1 + (2 * (BALLS[name] ?? 0)) / REACH) })),
       ...sensors.map(({ name, ink, arrow }): Label => ({ text: name, ink, tip: turned(arrow.tip) })),
     ];
   }

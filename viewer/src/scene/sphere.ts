@@ -81,3 +81,15 @@ export class MomentumSphere {
     return along.length > 0 ? [{ text: "separatrix", ink: "ink", tip: along[0], along, isOn: true }] : [];
   }
 }
+
+/** Returns the rim of the unit sphere as seen by a camera. */
+export function rim(eye: Vector3): Vector3[] {
+  const n = eye.clone().normalize();
+  const a = new Vector3(-n.y, n.x, 0).normalize();
+  const b = n.clone().cross(a);
+  const k = 1.04;
+  return Array.from({ length: 32 }, (_, i) => {
+    const t = (i / 32) * 2 * Math.PI;
+    return a.clone().multiplyScalar(k * Math.cos(t)).addScaledVector(b, k * Math.sin(t));
+  });
+}

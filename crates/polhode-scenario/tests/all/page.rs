@@ -56,7 +56,7 @@ fn doubles(text: &Value) -> Vec<f64> {
     bytes(text).chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect()
 }
 
-fn floats(text: &Value) -> Vec<f32> {
+pub(crate) fn floats(text: &Value) -> Vec<f32> {
     bytes(text).chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect()
 }
 
@@ -216,6 +216,28 @@ fn directions_of_an_orbit_are_on_the_page() {
             assert!((f64::from(rows[1][3 * k + c]) - along[c]).abs() < 1e-7);
         }
     }
+}
+
+/// The fixed target of a pointing named sun is the Sun, whichever of the pointings comes first.
+#[test]
+fn the_sun_is_on_the_page_where_a_pointing_is_named_after_it() {
+    let to = |name: &str, target: [f64; 3]| {
+        Pointing::new(name, Direction::new(0.6, 0.0, 0.8), Reference::Space(Direction::from_array(target)))
+            .unwrap()
+    };
+    let names = |pointings: Vec<Pointing>| {
+        let (data, _) = page_of(&crate::common::thruster().pointing(pointings));
+        let directions = data["motion"]["directions"].as_array().unwrap().clone();
+        let targets = data["motion"]["pointings"].as_array().unwrap().clone();
+        let name = |line: &Value| directions[line["target"].as_u64().unwrap() as usize]["name"].clone();
+        targets.iter().map(name).collect::<Vec<_>>()
+    };
+    let sun = [0.8, 0.55, 0.24];
+    let two = || vec![to("panel", sun), to("Sun", sun)];
+    assert_eq!(names(two()), ["sun", "sun"]);
+    assert_eq!(names(two().into_iter().rev().collect()), ["sun", "sun"]);
+    let others = vec![to("sunshade", sun), to("panel", [-0.8, 0.55, 0.24])];
+    assert_eq!(names(others), ["target of sunshade", "target of panel"]);
 }
 
 /// Pointings, work and a top's axis are on the page, but only for motions that have them.

@@ -6,6 +6,7 @@ use std::path::Path;
 use polhode::body::shape::{
     Capsule, Cone, ConeShell, CylinderShell, Disk, Plate, Torus, TriangularPlate, TriangularPrism,
 };
+use polhode::motion::Orbit;
 use polhode::prelude::*;
 use serde_json::Value;
 
@@ -66,6 +67,7 @@ fn keys_are_those_of_the_contract() {
         assert_eq!(found, wanted, "{name}");
     };
     let mut kinds = BTreeSet::new();
+    let mut orbits = 0;
     let mesh = ClosedMesh::of(&potato(4)).unwrap();
     let one = |kind: &'static str, shape: &dyn Shape| {
         crate::common::solid(kind, kind, shape, 1.5, [0.1, 0.2, 0.3], 0.5)
@@ -100,6 +102,8 @@ fn keys_are_those_of_the_contract() {
     all.push(every.sampled(crate::common::run(1.0, 3)));
     all.extend([crate::common::gyrostat(), crate::page_scene::top(7.0), crate::page_contact::egg()]);
     all.push(crate::page_gimbals::gyroscope());
+    let orbit = Orbit::circular(3e14, 7e6, Direction::new(0.6, 0.8, 0.0), Direction::new(0.0, 0.1, 1.0));
+    all.push(crate::common::thruster().in_orbit(orbit.unwrap()).unwrap());
     for scenario in all {
         let Some(Ok(trajectory)) = scenario.simulate() else { continue };
         let data = data(&html_of(&scenario, &trajectory, ""));
@@ -115,6 +119,10 @@ fn keys_are_those_of_the_contract() {
         }
         agree("SceneData", &data["scene"], &[]);
         agree("captions", &data["scene"]["captions"], &[]);
+        if !data["scene"]["orbit"].is_null() {
+            agree("OrbitData", &data["scene"]["orbit"], &[]);
+            orbits += 1;
+        }
         for line in data["motion"]["drift"].as_array().unwrap() {
             agree("drift", line, &[]);
         }
@@ -155,6 +163,7 @@ fn keys_are_those_of_the_contract() {
             kinds.insert(kind.to_owned());
         }
     }
+    assert_eq!(orbits, 1);
     let shown: Vec<&str> = kinds.iter().map(String::as_str).collect();
     let every = [
         "balls",

@@ -1,11 +1,11 @@
 //! Content of a page's 3-D view other than the body: tops, gravity, and a caption for each picture.
 
-use polhode::motion::torque::EnergySink;
-use polhode::motion::{HeavyTop, Sample, TopPath};
+use polhode::motion::torque::{Attracted, EnergySink, GravityGradient};
+use polhode::motion::{Anomaly, HeavyTop, MU_EARTH, Orbit, OrbitalElements, Sample, TopPath};
 use polhode::prelude::*;
 use serde_json::Value;
 
-use crate::page::{number, page_of};
+use crate::page::{floats, number, page_of};
 
 /// An inclined cylinder on its tip under gravity along a generic direction, with this spin about
 /// its axis, rad/s.
@@ -51,6 +51,47 @@ fn the_equivalent_box_and_ellipsoid_have_the_body_s_tensor() {
             }
         }
     }
+}
+
+#[test]
+fn the_orbit_is_that_of_the_gravity_gradient() {
+    let elements = OrbitalElements {
+        semi_major_axis: 9.1e6,
+        eccentricity: 0.23,
+        inclination: 0.9,
+        node: 2.1,
+        periapsis: -0.7,
+        anomaly: Anomaly::Mean(0.4),
+    };
+    let ellipse = Orbit::of_elements(MU_EARTH, &elements).unwrap();
+    let radial = Direction::new(0.48, -0.6, 0.64);
+    let circle = Orbit::circular(4.2e13, 5.1e6, radial, Direction::new(0.8, 0.0, -0.6)).unwrap();
+    let hyperbola = OrbitalElements { semi_major_axis: -8.0e6, eccentricity: 1.9, ..elements };
+    let hyperbola = Orbit::of_elements(MU_EARTH, &hyperbola).unwrap();
+    for (orbit, central) in [(ellipse, Some(6.378137e6)), (circle, None), (hyperbola, Some(6.378137e6))] {
+        let gradient = GravityGradient { orbit: orbit.clone(), attracted: Attracted::Tensor };
+        let scenario = crate::common::thruster().in_orbit(orbit.clone()).unwrap();
+        let scenario = scenario.with_torques(vec![TorqueModel::GravityGradient(Box::new(gradient))]).unwrap();
+        let (data, trajectory) = page_of(&scenario.sampled(crate::common::run(4000.0, 41)));
+        let found = &data["scene"]["orbit"];
+        let three = |key: &str| std::array::from_fn::<f64, 3, _>(|k| number(&found[key][k]));
+        let [e, normal] = ["eccentricity", "normal"].map(|key| Direction::<Space>::from_array(three(key)));
+        assert_eq!(found["central"].as_f64(), central);
+        assert!((e.norm() - orbit.eccentricity()).abs() < 1e-14 && e.dot(normal).abs() < 1e-14);
+        // r = p/(1 + e · r̂) at the nadir of each sample, which is rounded to f32.
+        let nadir = floats(&data["motion"]["directions"][0]["values"]);
+        for (sample, nadir) in trajectory.samples().iter().zip(nadir.chunks_exact(3)) {
+            let out = Direction::<Space>::from_array(std::array::from_fn(|k| -f64::from(nadir[k])));
+            let place = (out * (number(&found["parameter"]) / (1.0 + e.dot(out)))).to_array();
+            let wanted = orbit.position(sample.state.time).to_array();
+            let size = wanted.iter().map(|x| x * x).sum::<f64>().sqrt();
+            for (found, wanted) in place.iter().zip(wanted) {
+                assert!((found - wanted).abs() < 5e-7 * size, "{found} {wanted}");
+            }
+            assert!(normal.dot(out).abs() < 2e-7);
+        }
+    }
+    assert!(page_of(&crate::common::thruster()).0["scene"]["orbit"].is_null());
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Directions of space at a satellite: nadir, velocity, the magnetic field, and targets of pointings.
+//! Directions of space at a satellite: nadir, velocity, the magnetic field, the Sun, and targets of
+//! pointings.
 
 use polhode::math::{Direction, Space};
 use polhode::motion::torque::TorqueModel;
@@ -8,6 +9,9 @@ use polhode_document::layout::printable;
 use serde_json::{Value, json};
 
 use super::packed::f32s;
+
+/// Name of a pointing whose fixed target is the Sun. Scenarios have no other key for it.
+const SUN: &str = "sun";
 
 /// Distinct directions, in the order of the page.
 #[derive(Debug, Default)]
@@ -34,6 +38,7 @@ impl Directions {
         for pointing in pointings {
             let reference = pointing.reference();
             let name = match reference {
+                Reference::Space(_) if pointing.name().eq_ignore_ascii_case(SUN) => SUN.to_owned(),
                 Reference::Space(_) => format!("target of {}", printable(pointing.name())),
                 Reference::OrbitNormal(_) => "orbit normal".to_owned(),
                 Reference::Field(_) => "B".to_owned(),
@@ -45,9 +50,12 @@ impl Directions {
         found
     }
 
-    /// Returns the index of a direction, added if it is new.
+    /// Returns the index of a direction, added if it is new. The Sun has its name for all pointings.
     fn add(&mut self, name: String, reference: &Reference) -> usize {
         let known = self.all.iter().position(|(_, other)| other == reference);
+        if let Some(target) = known.and_then(|k| self.all.get_mut(k)).filter(|_| name == SUN) {
+            target.0.clone_from(&name);
+        }
         known.unwrap_or_else(|| {
             self.all.push((name, reference.clone()));
             self.all.len() - 1

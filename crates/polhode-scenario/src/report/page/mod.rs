@@ -16,6 +16,7 @@ mod explanation;
 mod facts;
 mod free;
 mod motion;
+mod orbit;
 mod outline;
 mod packed;
 mod placed;

@@ -1,4 +1,4 @@
-//! Content of the 3-D view other than the body: playback speed, gravity, and captions.
+//! Content of the 3-D view other than the body: playback speed, gravity, orbit, and captions.
 
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{HeavyTop, Scenario};
@@ -6,6 +6,7 @@ use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
 
 use super::caption::Captions;
+use super::orbit;
 use crate::report::facts::{Known, time_round};
 use crate::report::free_facts::FreeFacts;
 
@@ -16,6 +17,7 @@ pub(crate) fn json(known: &Known<'_>, free: Option<&FreeFacts>) -> Value {
     json!({
         "period": known.heavy_top.as_ref().map_or_else(|| free.and_then(slow_period), precession_period),
         "gravity": known.scenario.and_then(gravity).map(|g| numbers(&g.map(finite))),
+        "orbit": known.scenario.and_then(Scenario::orbit).map(orbit::json),
         "captions": Captions::of(known, free).json(),
     })
 }

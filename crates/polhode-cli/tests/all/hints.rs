@@ -47,9 +47,9 @@ fn a_hint_that_is_followed_removes_the_error() {
             Err(fault) => faults.push(fault),
         }
     }
+    assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), cases.len(), faults.join("\n\n"));
     sites::check(&hints);
     sites::check_names(cases.iter().map(|case| case.site));
-    assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), cases.len(), faults.join("\n\n"));
     assert!(cases.len() >= 60, "{} cases", cases.len());
 }
 

@@ -57,13 +57,13 @@ pub(super) fn check_names<'a>(cases: impl Iterator<Item = &'a str>) {
     for path in CRATES.iter().flat_map(|name| sources(&folder(&format!("{name}/src")))) {
         let text = fs::read_to_string(&path).unwrap();
         let text = text.split("#[cfg(test)]\nmod ").next().unwrap_or(&text);
-        if !text.contains("fn suggesting") && !["suggesting(", "nearest"].iter().any(|it| text.contains(it)) {
-            continue;
-        }
         // Some files have a function of this name for other things.
-        let is_name = text.contains("polhode_source::nearest(")
-            || text.lines().any(|line| line.starts_with("use ") && line.contains("nearest"))
-            || text.contains("::{") && text.contains(" nearest,");
+        let imports = |line: &str| {
+            line.starts_with("use ")
+                && line.contains("nearest")
+                && ["polhode_source", "suggestion"].iter().any(|it| line.contains(it))
+        };
+        let is_name = text.contains("polhode_source::nearest(") || text.lines().any(imports);
         let calls = text.lines().filter(|line| !line.trim_start().starts_with("//")).map(|line| {
             let own = line.match_indices("nearest(").filter(|(at, _)| is_name && !line[..*at].ends_with('.'));
             own.count() + line.matches(".suggesting(").count()

@@ -165,9 +165,13 @@ fn inverse(
         Convention::Short => AxisConvention::ShortAxis,
     };
     TumblerReport::new(subject.source(), subject.principal()?, periods, convention).map_err(|error| {
-        let other = if convention == AxisConvention::LongAxis { "short" } else { "long" };
-        let hint =
-            format!("try --convention {other}, or twice or half of a period: a light curve may show either");
+        // A ratio that is too small about the long axis is too small about the short one, too.
+        let hint = match convention {
+            AxisConvention::ShortAxis => {
+                "try --convention long, or twice or half of a period: a light curve may show either"
+            }
+            AxisConvention::LongAxis => "try twice or half of a period: a light curve may show either",
+        };
         Failure::usage(error.to_string(), hint)
     })
 }

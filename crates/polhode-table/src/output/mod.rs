@@ -5,6 +5,7 @@
 
 mod csv;
 pub mod curve;
+#[cfg(feature = "parquet")]
 mod parquet;
 mod required;
 mod trajectory;
@@ -12,6 +13,7 @@ mod trajectory;
 use std::borrow::Cow;
 use std::fmt;
 
+#[cfg(feature = "parquet")]
 pub use parquet::{io_error, parquet_properties};
 pub use required::required;
 pub use trajectory::Surroundings;

@@ -4,7 +4,8 @@ import { dirname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
-const program = process.env.POLHODE ?? resolve(root, "target/debug/polhode");
+/** The command. */
+export const program = process.env.POLHODE ?? resolve(root, "target/debug/polhode");
 
 export const example = (name) => resolve(root, "examples", name);
 

@@ -257,9 +257,14 @@ impl Engine {
                 &serde_json::json!({ "id": self.begin_lesson(&path, files, watch).map_err(lesson::Error::Wrong)? }),
             ),
             Message::Report(request) => json(&self.report(&request, files, watch)?),
-            Message::Open { path, set, as_particles } => {
+            Message::Open { path, set } => {
                 let set = set.map(|folder| DroppedSet::of(folder, files));
-                let open = self.documents.open((&path, as_particles), set.as_ref(), files, watch)?;
+                json(&self.open(&path, set.as_ref(), files, watch)?)
+            }
+            Message::Particles { id } => {
+                let document = self.documents.get(id)?;
+                let set = document.table()?.set.map(|set| DroppedSet::of(set.to_owned(), files));
+                let open = self.documents.open((&document.path, true), set.as_ref(), files, watch)?;
                 json(&open.info(files))
             }
             Message::OpenExample => json(&self.open_example(files)),

@@ -60,9 +60,11 @@ pub enum Message {
         /// Folder of a set of dropped files: a file of the set may refer only to files in it.
         #[serde(default)]
         set: Option<PathBuf>,
-        /// True to open a table that may be of several kinds as particles.
-        #[serde(default)]
-        as_particles: bool,
+    },
+    /// Opens the file of a table that may be of several kinds again, as particles.
+    Particles {
+        /// Number of the document.
+        id: u32,
     },
     /// Opens the default scenario.
     OpenExample,

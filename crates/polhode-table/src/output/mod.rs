@@ -21,6 +21,7 @@ pub use trajectory::Surroundings;
 /// Table of numbers, whose rows are computed while they are written.
 #[derive(Debug)]
 pub struct Table<'a> {
+    #[cfg_attr(not(feature = "parquet"), allow(dead_code, reason = "only Parquet names its table"))]
     name: &'static str,
     rows: usize,
     columns: Vec<Column<'a>>,

@@ -63,6 +63,12 @@ fn run<Q: DeserializeOwned, R: Report + 'static>(
     files: &dyn Files,
     run: impl Fn(&Q, &dyn Files) -> Result<R, Failure>,
 ) -> Result<Box<dyn Report>, Failure> {
+    // The options are read one by one, because the error of a value does not name its key.
+    for (key, value) in &options {
+        if let Err(error) = serde_json::from_value::<Q>(json!({ key: value })) {
+            return Err(Failure::usage(format!("{key} is {value}: {error}"), ""));
+        }
+    }
     let request = serde_json::from_value(Value::Object(options));
     let request = request.map_err(|error| Failure::usage(error.to_string(), ""))?;
     Ok(Box::new(run(&request, files)?))

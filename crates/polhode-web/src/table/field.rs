@@ -8,7 +8,7 @@ use serde_json::Value;
 pub struct Field {
     /// Key of the request, and name of the command's option without its dashes.
     pub key: String,
-    /// Description.
+    /// Description in a sentence.
     pub what: String,
     /// Form of the value: `text`, `integer`, `flag` or `choice`.
     pub form: &'static str,

@@ -10,9 +10,9 @@ use super::{Field, KnownKind};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum TableKind {
-    /// Parts list.
+    /// Parts list, or a plan that names one.
     Budget,
-    /// Measured motion.
+    /// Measured motion: a plan, or the log of a gyro.
     Identify,
     /// Motion that another program computed.
     Judge,

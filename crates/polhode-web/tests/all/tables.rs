@@ -163,8 +163,9 @@ fn a_run_is_judged_by_the_scenario_that_it_names_or_that_is_open() {
 
 #[test]
 fn a_run_is_judged_by_moments_or_another_log() {
-    let (mut session, _) = dropped(&[("run.csv", &log(""))]);
-    let other = log("").replace("0.01,", "0.010,");
+    let columns = "# columns = \"quaternion wxyz body-to-space = qw qx qy qz\"\n";
+    let (mut session, _) = dropped(&[("run.csv", &log(columns))]);
+    let other = log(columns).replace("0.01,", "0.010,");
     drop_more(&mut session, 2, &[("other.csv", &other)]);
     assert_eq!(kinds(&session, 0), ["identify", "judge"]);
     let moments = json!({ "options": { "moments": "0.03,0.02,0.01", "start-omega": "0,3,0" } });

@@ -128,8 +128,8 @@ fn a_plan_reads_the_files_of_its_set_only() {
     assert_eq!(kinds(&session, 0), ["budget"]);
     let answer = report(&session, 0, "budget", json!({ "options": { "draws": 0 } }));
     assert_eq!((&answer["report"], &answer["error"]["line"]), (&Value::Null, &json!(1)), "{answer}");
-    let beside = json!({ "text": "parts = \"parts.csv\"\n", "options": { "draws": 0 } });
-    let answer = report(&session, 0, "budget", beside);
+    let in_set = json!({ "text": "parts = \"parts.csv\"\n", "options": { "draws": 0 } });
+    let answer = report(&session, 0, "budget", in_set);
     assert_eq!(answer["error"], Value::Null);
 }
 

@@ -88,7 +88,7 @@ export class Report {
     document.body.classList.remove("reporting");
   }
 
-  /** Computes the report anew, and ends a computation that is no longer wanted. */
+  /** Computes the report again, and ends a computation that is not wanted any more. */
   async compute(): Promise<void> {
     this.#stop?.abort();
     this.#stop = null;

@@ -4,6 +4,7 @@ import { dirname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+/** The command. */
 export const program = process.env.POLHODE ?? resolve(root, "target/debug/polhode");
 
 export const example = (name) => resolve(root, "examples", name);

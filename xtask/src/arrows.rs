@@ -17,7 +17,7 @@ const MAY_USE: [(&str, &[&str]); 16] = [
     ("polhode-identify", &SLICE),
     ("polhode-budget", &SLICE),
     ("polhode-sweep", &SLICE),
-    ("polhode-web", &WITH_ROBOT),
+    ("polhode-web", FRONT.split_at(10).0),
     ("polhode-wasm", &["polhode-source", "polhode-web"]),
     ("polhode-live", &["polhode-source", "polhode-web"]),
     ("polhode-cli", FRONT.split_at(13).0),
@@ -29,15 +29,6 @@ const WITH_SHAPE: [&str; 5] =
     ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape"];
 const SLICE: [&str; 6] =
     ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape", "polhode-scenario"];
-const WITH_ROBOT: [&str; 7] = [
-    "polhode",
-    "polhode-source",
-    "polhode-document",
-    "polhode-table",
-    "polhode-shape",
-    "polhode-scenario",
-    "polhode-robot",
-];
 const FRONT: [&str; 14] = [
     "polhode",
     "polhode-source",

@@ -18,7 +18,7 @@ use crate::uncertainty::{Factor, NONE, NUMBERS, RowError};
 const LEAST: usize = 10;
 
 /// Largest number of drawn rows: draws times uncertain rows. A million take about half a second.
-pub const MOST_DRAWN_ROWS: usize = 10_000_000_000;
+pub const MOST_DRAWN_ROWS: u64 = 10_000_000_000;
 
 /// Random bodies, each made of physically possible parts.
 ///
@@ -90,7 +90,8 @@ impl Budget {
             let bodies = vec![self.mass_properties(basis)?; count];
             return Ok(Draws { bodies, moved: 0 });
         };
-        let (rows, most) = (varied.rows.len(), MOST_DRAWN_ROWS / varied.rows.len().max(1));
+        let rows = varied.rows.len();
+        let most = usize::try_from(MOST_DRAWN_ROWS / rows.max(1) as u64).unwrap_or(usize::MAX);
         if count > most {
             return Err(BudgetError::TooManyDraws { given: count, rows, most });
         }

@@ -18,3 +18,4 @@ pub use free_body::{FirstRowError, FreeBody};
 pub use report::{Card, CardCase, CardRun, Comparison, JudgeReport, JudgedRun, judge_hint};
 pub use request::{Axes, AxesOfRun, Order, REQUEST_SCHEMA, ReadAs, Request, Sense};
 pub use run::{Judged, REPORT_SCHEMA, run};
+pub use runs::{is_run, scenario_named_by};

@@ -277,6 +277,16 @@ impl<'a> Judge<'a> {
     }
 }
 
+/// Returns true for the text of a log that may be judged: it has times and attitudes.
+pub fn is_run(text: &[u8]) -> bool {
+    log::named_quantities(text).attitude
+}
+
+/// Returns the scenario that a log names, as a path relative to the log.
+pub fn scenario_named_by(text: &[u8]) -> Option<PathBuf> {
+    log::named_quantities(text).scenario
+}
+
 /// Checks that two logs do not name scenarios with different file names.
 fn require_same_scenario(run: &Path, log: &RunLog, other: &Path, reference: &RunLog) -> Result<(), Failure> {
     let (Some(one), Some(another)) = (&log.scenario, &reference.scenario) else { return Ok(()) };

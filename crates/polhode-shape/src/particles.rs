@@ -85,6 +85,12 @@ impl ParticleFile {
     }
 }
 
+/// Returns true if the header of a table has masses and positions, with or without their units.
+pub fn is_table(bytes: &[u8]) -> bool {
+    let options = ParticleOptions { mass_unit: Some(1.0), length_unit: Some(1.0), total_mass: None };
+    Table::of(bytes, 0, &options).is_ok_and(|(table, _)| table.header.has(MASS))
+}
+
 /// Reads particles from the bytes of a file.
 ///
 /// A value is the double nearest to the product of number and unit, if the unit is a power of ten.

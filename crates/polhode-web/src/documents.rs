@@ -17,6 +17,7 @@ use crate::mesh::{self, Mesh};
 use crate::opened::{scenario_of, scenario_of_mesh};
 use crate::protocol::DocumentInfo;
 use crate::refusal::{Refusal, RefusalKind};
+use crate::table::{Table, TableKind};
 use crate::watch::{Watch, require_wanted};
 
 /// Scenario of a session that was started without a file.
@@ -46,6 +47,8 @@ pub(crate) enum Content {
         /// True if it was made from a mesh, which can also be inspected by itself.
         is_mesh: bool,
     },
+    /// Table or plan of one of these kinds.
+    Table(Vec<TableKind>),
     /// Mesh that is not closed: its inspection, and the state of the file at that time.
     Mesh(Mutex<(String, Arc<MeshInspection>)>),
     Robot,
@@ -90,10 +93,11 @@ impl Documents {
         self.put_scenario(path, Draft::new(path, []), FIRST.to_owned())
     }
 
-    /// Opens a file that the user named, or one of a set of dropped files.
+    /// Opens a file that the user named, or one of a set of dropped files. A table that may be of
+    /// several kinds is opened as particles if the reader has chosen that.
     pub(crate) fn open(
         &self,
-        path: &Path,
+        (path, as_particles): (&Path, bool),
         dropped: Option<&DroppedSet>,
         files: &dyn Files,
         watch: &dyn Watch,
@@ -113,22 +117,30 @@ impl Documents {
         let own = std::iter::once(path);
         let [own, all] = [stamp(files, own.clone()), stamp(files, own.chain(draft.files()))];
         let bytes = read(files, path).map_err(|error| unreadable(error.to_string()))?;
-        let kind = Kind::of(path, &bytes).ok_or_else(|| {
+        let is_chosen = |kind: &Kind| matches!(kind, Kind::Table(kinds) if as_particles && kinds.contains(&TableKind::Particles));
+        let kind = Kind::of(path, &bytes).map(|kind| if is_chosen(&kind) { Kind::Particles } else { kind });
+        let kind = kind.ok_or_else(|| {
+            if bytes.starts_with(b"PAR1") {
+                return unreadable("it is a Parquet file, which the page does not read".to_owned())
+                    .hint("write it as CSV, or use the polhode command");
+            }
             if let Some(format) = BrepFormat::of(files, path) {
                 return unreadable(format.refusal()).hint(format.hint(path));
             }
             unreadable("its file extension is unknown".to_owned()).hint(
-                "the page shows scenarios (.toml), meshes (.stl .obj .ply .off .gltf .glb .3mf .dae), robots (.urdf .sdf .xml .usda .osim), molecules (.xyz .mol .pdb) and particles (.csv)",
+                "the page shows scenarios and plans (.toml), parts lists, logs and particles (.csv .xlsx), meshes (.stl .obj .ply .off .gltf .glb .3mf .dae), robots (.urdf .sdf .xml .usda .osim) and molecules (.xyz .mol .pdb)",
             )
         })?;
+        let is_mesh = kind == Kind::Mesh;
         let made = |text: String, mut draft: Draft| -> Result<Content, Refusal> {
             let read = draft.read_watched(files, text.clone(), &goes_on);
             read.map_err(|error| unreadable(error.to_string()))?;
             let (draft, stamp) = (Mutex::new(draft), Mutex::new(all));
-            Ok(Content::Scenario { draft, made: Some(text), stamp, is_mesh: kind == Kind::Mesh })
+            Ok(Content::Scenario { draft, made: Some(text), stamp, is_mesh })
         };
         let content = match kind {
             Kind::Robot => Content::Robot,
+            Kind::Table(kinds) => Content::Table(kinds),
             Kind::Scenario => {
                 let text =
                     String::from_utf8(bytes).map_err(|_| unreadable("it is not UTF-8 text".to_owned()))?;
@@ -149,7 +161,7 @@ impl Documents {
                 Mesh::Flawed(found) => Content::Mesh(Mutex::new((own, Arc::new(found)))),
             },
             Kind::Molecule | Kind::Particles => {
-                made(scenario_of(kind, path, &bytes).map_err(unreadable)?, draft)?
+                made(scenario_of(&kind, path, &bytes).map_err(unreadable)?, draft)?
             }
         };
         require_wanted(watch)?;
@@ -176,6 +188,12 @@ impl Documents {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
+    /// Returns the paths of all tables except one.
+    pub(crate) fn other_tables(&self, id: u32) -> Vec<PathBuf> {
+        let is_other = |one: &Arc<Document>| one.id != id && matches!(one.content, Content::Table(_));
+        self.all().into_iter().filter(is_other).map(|one| one.path.clone()).collect()
+    }
+
     pub(crate) fn get(&self, id: u32) -> Result<Arc<Document>, Refusal> {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         usize::try_from(id).ok().and_then(|k| all.get(k)).cloned().ok_or_else(|| {
@@ -186,8 +204,14 @@ impl Documents {
 }
 
 impl Document {
-    /// Returns the text of a scenario, or the inspection of a mesh or a robot.
-    pub(crate) fn content(&self, files: &dyn Files, watch: &dyn Watch) -> Result<DocumentContent, Refusal> {
+    /// Returns the text of a scenario, the inspection of a mesh or a robot, or the kinds of a table.
+    /// `others` are the paths of other tables.
+    pub(crate) fn content(
+        &self,
+        others: &[PathBuf],
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<DocumentContent, Refusal> {
         match &self.content {
             Content::Scenario { draft, made, stamp, .. } => {
                 self.text((draft, made.as_ref(), stamp), files).map(|text| DocumentContent::Scenario { text })
@@ -198,12 +222,19 @@ impl Document {
                 RobotInspection::of(&self.name, &self.path, roots, files, &|| watch.goes_on())
                     .map(|robot| DocumentContent::Robot { robot })
             }
+            Content::Table(_) => {
+                self.table()?.content(others, files).map(|table| DocumentContent::Table { table })
+            }
         }
     }
 
     /// Opens the files that a scenario or a robot names; those of a mesh were opened with it.
     pub(crate) fn open_named(&self, files: &dyn Files, watch: &dyn Watch) {
-        let content = self.content(files, watch);
+        if let Ok(table) = self.table() {
+            table.open_named(files);
+            return;
+        }
+        let content = self.content(&[], files, watch);
         if let (Content::Scenario { draft, .. }, Ok(DocumentContent::Scenario { text })) =
             (&self.content, content)
         {
@@ -217,6 +248,7 @@ impl Document {
             Content::Scenario { .. } => "scenario",
             Content::Mesh(_) => "mesh",
             Content::Robot => "robot",
+            Content::Table(_) => "table",
         };
         let is_mesh = matches!(self.content, Content::Mesh(_) | Content::Scenario { is_mesh: true, .. });
         DocumentInfo { id: self.id, name: self.name.clone(), kind, is_mesh, stamp: self.stamp(files) }
@@ -229,6 +261,10 @@ impl Document {
             Content::Scenario { draft, .. } => {
                 let draft = draft.lock().unwrap_or_else(PoisonError::into_inner);
                 stamp(files, own.chain(draft.files()))
+            }
+            Content::Table(_) => {
+                let named = self.table().map(|table| table.named(files)).unwrap_or_default();
+                stamp(files, own.chain(named.iter().map(PathBuf::as_path)))
             }
             _ => stamp(files, own),
         }
@@ -256,6 +292,17 @@ impl Document {
             *draft = Draft::trusting(&self.path, &text);
         }
         Ok(text)
+    }
+
+    /// Returns the table or the plan of this document.
+    pub(crate) fn table(&self) -> Result<Table<'_>, Refusal> {
+        match &self.content {
+            Content::Table(kinds) => {
+                let set = self.roots.first().map(PathBuf::as_path);
+                Ok(Table { name: &self.name, path: &self.path, set, kinds })
+            }
+            _ => Err(Refusal::new(RefusalKind::BadRequest, format!("{:?} is not a table", self.name))),
+        }
     }
 
     /// Returns the inspection of a mesh, from its file as it is now.

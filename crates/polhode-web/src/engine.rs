@@ -17,6 +17,7 @@ use crate::protocol::{
     MotionRequest,
 };
 use crate::refusal::Refusal;
+use crate::table::{OpenScenario, ReportAnswer, ReportRequest, ScenarioText};
 use crate::utf16;
 use crate::watch::{Watch, require_wanted};
 
@@ -86,7 +87,7 @@ impl Engine {
         self.documents.open_example().info(files)
     }
 
-    /// Opens a file as a document: a scenario, mesh, molecule, robot or table of particles.
+    /// Opens a file as a document: a scenario, mesh, molecule, robot, table or plan.
     ///
     /// A file without a set is one that the user named: it may refer to other files. A file of a
     /// set may refer only to files of that set.
@@ -100,7 +101,7 @@ impl Engine {
         files: &dyn Files,
         watch: &dyn Watch,
     ) -> Result<DocumentInfo, Refusal> {
-        Ok(self.documents.open(path, set, files, watch)?.info(files))
+        Ok(self.documents.open((path, false), set, files, watch)?.info(files))
     }
 
     /// Returns the documents, in the order in which they were opened.
@@ -109,8 +110,8 @@ impl Engine {
         DocumentList { first: documents.first().map(|one| one.id), documents }
     }
 
-    /// Returns the text of a scenario, or the inspection of a mesh or a robot, from the file as it
-    /// is now.
+    /// Returns the text of a scenario, the inspection of a mesh or a robot, or the kinds of a table,
+    /// from the file as it is now.
     ///
     /// # Errors
     /// [`Refusal`] if the document is unknown, the file cannot be read, or nobody waits.
@@ -120,7 +121,7 @@ impl Engine {
         files: &dyn Files,
         watch: &dyn Watch,
     ) -> Result<DocumentContent, Refusal> {
-        self.documents.get(id)?.content(files, watch)
+        self.documents.get(id)?.content(&self.documents.other_tables(id), files, watch)
     }
 
     /// Opens every file that a document names, as its motion or its inspection does.
@@ -176,6 +177,32 @@ impl Engine {
         motion::answer(self.documents.get(request.document)?.draft()?, request, files, watch)
     }
 
+    /// Returns the report on a table or a plan, or its error. A table may be of several kinds: the
+    /// request has the one that the reader chose.
+    ///
+    /// # Errors
+    /// [`Refusal`] if a document is unknown or of another kind, or nobody waits.
+    pub fn report(
+        &self,
+        request: &ReportRequest,
+        files: &dyn Files,
+        watch: &dyn Watch,
+    ) -> Result<ReportAnswer, Refusal> {
+        let document = self.documents.get(request.document)?;
+        let others = self.documents.other_tables(request.document);
+        let answer = match &request.scenario {
+            None => document.table()?.report(request, None, others, files)?,
+            Some(ScenarioText { document: id, text }) => {
+                let open = self.documents.get(*id)?;
+                open.draft()?;
+                let open = OpenScenario { path: &open.path, text };
+                document.table()?.report(request, Some(&open), others, files)?
+            }
+        };
+        require_wanted(watch)?;
+        Ok(answer)
+    }
+
     /// Returns completions of a text at a position.
     ///
     /// # Errors
@@ -229,9 +256,16 @@ impl Engine {
             Message::LessonFile { path } => json(
                 &serde_json::json!({ "id": self.begin_lesson(&path, files, watch).map_err(lesson::Error::Wrong)? }),
             ),
+            Message::Report(request) => json(&self.report(&request, files, watch)?),
             Message::Open { path, set } => {
                 let set = set.map(|folder| DroppedSet::of(folder, files));
                 json(&self.open(&path, set.as_ref(), files, watch)?)
+            }
+            Message::Particles { id } => {
+                let document = self.documents.get(id)?;
+                let set = document.table()?.set.map(|set| DroppedSet::of(set.to_owned(), files));
+                let open = self.documents.open((&document.path, true), set.as_ref(), files, watch)?;
+                json(&open.info(files))
             }
             Message::OpenExample => json(&self.open_example(files)),
         }

@@ -1,7 +1,8 @@
 //! Engine of the interactive page: pure, without clock, threads, network or file access.
 //!
 //! [`Engine`] answers the requests of the page: it changes the text of a scenario, computes its
-//! motion, completes the text, opens lessons, and inspects meshes and robots. A caller passes the
+//! motion, completes the text, opens lessons, inspects meshes and robots, and reports on parts lists,
+//! measurements and logs. A caller passes the
 //! [files](polhode_source::files::Files) that may be read, and a [`Watch`] that ends long
 //! computations. `polhode live` calls the engine from its server; in a browser, a worker passes
 //! [messages](Message) to [`Engine::answer`].
@@ -33,6 +34,8 @@ mod part_names;
 mod protocol;
 mod refusal;
 mod rows;
+mod table;
+mod text_error;
 mod utf16;
 mod watch;
 
@@ -48,4 +51,8 @@ pub use protocol::{
     LessonStep, Motion, MotionAnswer, MotionRequest, Question, Switch, TextError,
 };
 pub use refusal::{Refusal, RefusalKind};
+pub use table::{
+    Field, KnownKind, ReportAnswer, ReportError, ReportRequest, ScenarioText, ShownReport, TableContent,
+    TableKind,
+};
 pub use watch::Watch;

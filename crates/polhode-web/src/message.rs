@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::protocol::{CompleteRequest, MotionRequest};
 use crate::refusal::{Refusal, RefusalKind};
+use crate::table::ReportRequest;
 
 /// Request of the page, as [`Engine::answer`](crate::Engine::answer) reads it from JSON.
 ///
@@ -24,7 +25,7 @@ use crate::refusal::{Refusal, RefusalKind};
 pub enum Message {
     /// Lists the documents.
     Documents,
-    /// Returns the text of a scenario, or the inspection of a mesh or robot.
+    /// Returns the text of a scenario, the inspection of a mesh or robot, or the kinds of a table.
     Document {
         /// Number of the document.
         id: u32,
@@ -43,6 +44,8 @@ pub enum Message {
     },
     /// Changes a text and computes the motion.
     Motion(MotionRequest),
+    /// Returns the report on a table.
+    Report(ReportRequest),
     /// Completes a text.
     Complete(CompleteRequest),
     /// Begins with a teacher's own lesson, and returns its id.
@@ -57,6 +60,11 @@ pub enum Message {
         /// Folder of a set of dropped files: a file of the set may refer only to files in it.
         #[serde(default)]
         set: Option<PathBuf>,
+    },
+    /// Opens the file of a table that may be of several kinds again, as particles.
+    Particles {
+        /// Number of the document.
+        id: u32,
     },
     /// Opens the default scenario.
     OpenExample,

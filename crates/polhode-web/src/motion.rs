@@ -8,14 +8,13 @@ use polhode_document::VERSION;
 use polhode_scenario::read::{Draft, ScenarioFile};
 use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page_rows};
 use polhode_source::files::Files;
-use polhode_source::{FormatError, Place};
 
 use crate::edit::edited;
 use crate::knob::{knobs, switches};
+use crate::limits;
 use crate::protocol::{Motion, MotionAnswer, MotionRequest, TextError};
 use crate::refusal::{Refusal, RefusalKind};
 use crate::watch::{Watch, require_wanted};
-use crate::{limits, utf16};
 
 /// Applies the requested changes and computes the motion.
 pub(crate) fn answer(
@@ -55,7 +54,7 @@ pub(crate) fn answer(
                 Err(error) => answer.errors.push(error),
             }
         }
-        Err(error) => answer.errors.push(of_format(&error, &own, &answer.text)),
+        Err(error) => answer.errors.push(TextError::of_format(&error, own.path(), &answer.text)),
     }
     if answer.motion.is_none() {
         require_wanted(watch)?;
@@ -140,7 +139,7 @@ fn motion(file: &ScenarioFile, trajectory: &Trajectory, draft: &Draft, request: 
 fn of_motion(file: &ScenarioFile, error: &MotionError) -> TextError {
     let placed = file.placed(error);
     match (placed, error) {
-        (Some(placed), _) => at_place(&placed, &file.text),
+        (Some(placed), _) => TextError::at_place(&placed, &file.text),
         (None, MotionError::Stopped { time }) => TextError {
             message: format!(
                 "the motion takes more than {} s to compute: it was stopped at t = {time} s",
@@ -154,28 +153,5 @@ fn of_motion(file: &ScenarioFile, error: &MotionError) -> TextError {
             hint: error.hint().map(str::to_owned),
             ..TextError::default()
         },
-    }
-}
-
-/// Converts an error of the text, or of a file to which it refers, at its place in the text.
-fn of_format(error: &FormatError, draft: &Draft, text: &str) -> TextError {
-    if error.path() == draft.path() {
-        return at_place(error, text);
-    }
-    of_place(error.origin().map(|(_, place)| place), error.to_string(), error, text)
-}
-
-fn at_place(error: &FormatError, text: &str) -> TextError {
-    of_place(error.place(), error.message(), error, text)
-}
-
-fn of_place(place: Option<&Place>, message: String, error: &FormatError, text: &str) -> TextError {
-    TextError {
-        message,
-        hint: error.hint(),
-        from: place.map(|place| utf16::of_byte(text, place.span.start)),
-        to: place.map(|place| utf16::of_byte(text, place.span.end)),
-        line: place.map(|place| place.line),
-        column: place.map(|place| place.column),
     }
 }

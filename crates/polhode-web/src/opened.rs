@@ -13,7 +13,7 @@ const MOST_PARTICLES: usize = 400;
 
 /// Makes a scenario with the body of a file in the same folder, or returns the reason why that is
 /// not possible.
-pub(crate) fn scenario_of(kind: Kind, path: &Path, bytes: &[u8]) -> Result<String, String> {
+pub(crate) fn scenario_of(kind: &Kind, path: &Path, bytes: &[u8]) -> Result<String, String> {
     let file = path.file_name().unwrap_or_default().to_string_lossy();
     match kind {
         Kind::Molecule => Ok(scenario(
@@ -25,7 +25,7 @@ pub(crate) fn scenario_of(kind: Kind, path: &Path, bytes: &[u8]) -> Result<Strin
         Kind::Particles => {
             Ok(scenario(path, &particle_table(bytes)?, "[\"0.1 rad/s\", \"3 rad/s\", \"0.2 rad/s\"]", "20 s"))
         }
-        Kind::Scenario | Kind::Robot | Kind::Mesh => Err("it is not a body".to_owned()),
+        Kind::Scenario | Kind::Robot | Kind::Mesh | Kind::Table(_) => Err("it is not a body".to_owned()),
     }
 }
 

@@ -18,7 +18,7 @@ pub struct DocumentInfo {
     pub id: u32,
     /// Name of the file.
     pub name: String,
-    /// Kind: `scenario`, `mesh` or `robot`.
+    /// Kind: `scenario`, `mesh`, `robot` or `table`.
     pub kind: &'static str,
     /// True if the file is a single mesh, which can be inspected.
     #[serde(rename = "mesh")]

@@ -24,7 +24,7 @@ export class Actions {
     document.addEventListener("keydown", (event) => {
       // In a text field, its own undo takes precedence.
       const isTyped = event.target instanceof HTMLElement && event.target.closest("input:not([type=range]), textarea, [contenteditable=true]");
-      if (isTyped || event.altKey || !(event.ctrlKey || event.metaKey)) return;
+      if (isTyped || document.body.classList.contains("reporting") || event.altKey || !(event.ctrlKey || event.metaKey)) return;
       const key = event.key.toLowerCase();
       if (key === "z" && !event.shiftKey) session.undo();
       else if (key === "y" || (key === "z" && event.shiftKey)) session.redo();

@@ -23,10 +23,10 @@ export class Drop {
   constructor(opened: (document: DocumentInfo) => Promise<void>, said: (words: string) => void) {
     this.#opened = opened;
     this.#said = said;
-    const files = this.#chooser("Open…", "Scenarios, meshes, robots, molecules, particles; a file with those that it names", {});
+    const files = this.#chooser("Open…", "Scenarios, parts lists, measurements, logs, meshes, robots, molecules; a file with those that it names", {});
     const folder = this.#chooser("Folder…", "A robot's package: the models in it, with their meshes", { webkitdirectory: true });
     this.button = element("span", { class: "choosers" }, ...files, ...folder);
-    const zone = element("div", { id: "drop-zone", hidden: true }, element("p", {}, "Drop a scenario, a robot or a mesh with the files that it names, or their folder; molecules, particles"));
+    const zone = element("div", { id: "drop-zone", hidden: true }, element("p", {}, "Drop a scenario, a plan, a robot or a mesh with the files that it names, or their folder; parts lists, logs, molecules, particles"));
     document.body.append(zone);
     document.addEventListener("dragenter", (event) => {
       if (event.dataTransfer?.types.includes("Files")) zone.hidden = false;
@@ -58,7 +58,7 @@ export class Drop {
     if (files.length === 0) return;
     const { sent, opened } = await sorted(files);
     if (sent.length === 0) {
-      this.#said("The folder has no file that this page can show: no scenario, model, mesh, molecule or particles.");
+      this.#said("The folder has no file that this page can show: no scenario, plan, table, model, mesh or molecule.");
       return;
     }
     const [main] = opened;
@@ -73,15 +73,19 @@ export class Drop {
     }
     const problems = opened.length > MOST ? [`${opened.length - MOST} of ${opened.length} are not opened`] : [];
     let first: DocumentInfo | null = null;
+    // A log that was dropped with its scenario is judged.
+    let table: DocumentInfo | null = null;
     for (const { path } of opened.slice(0, MOST)) {
       try {
         const document = await engine.open(`${set}/${path}`, set);
         first ??= document;
+        if (document.kind === "table") table ??= document;
       } catch (problem) {
         problems.push(`${path}: ${words(problem)}`);
       }
     }
     if (first) await this.#opened(first);
+    if (table && table !== first) await this.#opened(table);
     if (problems.length > 0) this.#said(problems.join("\n"));
   }
 }

@@ -9,7 +9,9 @@ export interface DroppedFile {
 /** Extensions of files that refer to others of a set. */
 const MAIN = ["toml", "urdf", "sdf", "xml", "world", "mjcf", "usda", "osim"];
 /** Extensions of files that are shown by themselves, and of files that are only parts of these. */
-const OTHERS = ["stl", "obj", "ply", "off", "gltf", "glb", "3mf", "dae", "xyz", "mol", "pdb", "ent", "csv"];
+const OTHERS = ["stl", "obj", "ply", "off", "gltf", "glb", "3mf", "dae", "xyz", "mol", "pdb", "ent"];
+/** Extensions of tables. They are shown if no other file names them. */
+const TABLES = ["csv", "tsv", "xlsx", "xls", "jsonl", "ndjson", "parquet"];
 const PARTS = ["mtl", "bin"];
 
 const ending = (path: string): string => path.toLowerCase().split(".").at(-1) ?? "";
@@ -44,17 +46,22 @@ export async function sorted(files: DroppedFile[]): Promise<{ sent: DroppedFile[
   };
   const sent = files.filter((_, k) => isWanted[k]).sort((a, b) => rank(a) - rank(b) || (a.path < b.path ? -1 : 1));
   const main = sent.filter((file) => rank(file) < MAIN.length);
+  if (main.length > 0) {
+    const texts = await Promise.all(main.map(({ file }) => file.text()));
+    const isNamed = ({ path }: DroppedFile): boolean => texts.some((text) => text.includes(path.split("/").at(-1) ?? path));
+    main.push(...sent.filter((file) => TABLES.includes(ending(file.path)) && !isNamed(file)));
+  }
   // Files that refer to no others are each shown.
   const alone = sent.filter(({ path }) => !PARTS.includes(ending(path)));
   return { sent, opened: [main, alone, sent].find(({ length }) => length > 0) ?? [] };
 }
 
-// Many XML files are not models, and many TOML files are not scenarios.
+// Many XML files are not models, and many TOML files are not scenarios or plans.
 async function isKnown(path: string, file: File): Promise<boolean> {
   const has = async (pattern: RegExp): Promise<boolean> => pattern.test(await file.slice(0, 8192).text());
   if (ending(path) === "xml") return has(/<(mujoco|robot|sdf)\b/);
-  if (ending(path) === "toml") return has(/^\s*\[+\s*(body|start|run)\b/m);
-  return [...MAIN, ...OTHERS, ...PARTS].includes(ending(path));
+  if (ending(path) === "toml") return has(/^\s*(\[+\s*(body|start|run|tumble|swing|payload)\b|parts\s*=)/m);
+  return [...MAIN, ...OTHERS, ...TABLES, ...PARTS].includes(ending(path));
 }
 
 const isHidden = (path: string): boolean => path.split("/").some((name) => name.startsWith("."));

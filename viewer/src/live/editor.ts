@@ -11,9 +11,8 @@ import { EditorState } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { element } from "../dom";
-import type { TextError } from "./protocol";
+import type { DocumentInfo, TextError } from "./protocol";
 import { engine } from "./engine";
-import type { Session } from "./session";
 
 /** Delay after the last keystroke, ms. */
 const TYPED = 150;
@@ -40,18 +39,31 @@ const COLOURS = HighlightStyle.define([
   { tag: [tags.bracket, tags.typeName, tags.heading], color: "var(--omega)" },
 ]);
 
+/** Text that is edited: a scenario's or a plan's. */
+export interface Edited {
+  readonly document: DocumentInfo | null;
+  readonly text: string;
+  readonly errors: TextError[];
+  listen(listener: { changed: () => void }): void;
+  replace(text: string, kind: string): void;
+  undo(): void;
+  redo(): void;
+}
+
 export class Editor {
-  readonly #session: Session;
+  readonly #session: Edited;
   readonly #view: EditorView;
-  readonly #list = element("ul", { class: "errors", "aria-label": "Errors in the scenario" });
+  readonly #list: HTMLElement;
   #timer = 0;
   #isOwn = false;
 
-  constructor(host: HTMLElement, session: Session) {
+  /** `what` names the text for screen readers: "scenario". */
+  constructor(host: HTMLElement, session: Edited, what: string) {
     this.#session = session;
+    this.#list = element("ul", { class: "errors", "aria-label": `Errors in the ${what}` });
     const box = element("div", { class: "editor" });
     host.append(box, this.#list);
-    this.#view = new EditorView({ parent: box, state: EditorState.create({ doc: session.text, extensions: this.#extensions() }) });
+    this.#view = new EditorView({ parent: box, state: EditorState.create({ doc: session.text, extensions: this.#extensions(what) }) });
     session.listen({ changed: () => this.update() });
     this.update();
   }
@@ -72,7 +84,7 @@ export class Editor {
     this.#list.hidden = errors.length === 0;
   }
 
-  #extensions() {
+  #extensions(what: string) {
     const session = this.#session;
     // The session has a single history, of knobs and of typing.
     const step = (run: () => void) => (): boolean => {
@@ -97,7 +109,7 @@ export class Editor {
         ...defaultKeymap,
       ]),
       LOOK,
-      EditorView.contentAttributes.of({ "aria-label": "The scenario as TOML", spellcheck: "false" }),
+      EditorView.contentAttributes.of({ "aria-label": `The ${what} as TOML`, spellcheck: "false" }),
       EditorView.updateListener.of((update) => {
         if (!update.docChanged || this.#isOwn) return;
         clearTimeout(this.#timer);
@@ -115,7 +127,7 @@ export class Editor {
 
   async #complete(context: CompletionContext): Promise<CompletionResult | null> {
     const { document } = this.#session;
-    if (!document || (!context.explicit && !context.matchBefore(/[\w."[\]-]+/))) return null;
+    if (document?.kind !== "scenario" || (!context.explicit && !context.matchBefore(/[\w."[\]-]+/))) return null;
     const stop = new AbortController();
     context.addEventListener("abort", () => stop.abort());
     try {

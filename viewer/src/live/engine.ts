@@ -1,7 +1,7 @@
 /** Requests to the engine, which computes in a worker of the page. */
 import { motionAnswer } from "./motion-answer";
 import { embedded } from "./embedded";
-import type { CompleteAnswer, CompleteRequest, DocumentContent, DocumentInfo, Documents, Lesson, Lessons, MeshContent, MotionAnswer, MotionRequest, Refusal } from "./protocol";
+import type { CompleteAnswer, CompleteRequest, DocumentContent, DocumentInfo, Documents, Lesson, Lessons, MeshContent, MotionAnswer, MotionRequest, Refusal, ReportAnswer, ReportRequest } from "./protocol";
 import { jsonAndRows } from "./rows";
 import { Workshop } from "./workshop";
 
@@ -26,6 +26,7 @@ export const engine = {
     const { bytes, took } = await answered({ motion: request }, { isKept: false, signal });
     return { ...motionAnswer(bytes), took };
   },
+  report: (request: ReportRequest, signal: AbortSignal): Promise<ReportAnswer> => ask({ report: request }, { isKept: false, signal }),
   complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => ask({ complete: request }, { isKept: false, signal }),
   lessons: (): Promise<Lessons> => ask("lessons"),
   lesson: (id: string): Promise<Lesson> => ask({ lesson: { id } }, { isKept: true }),
@@ -37,6 +38,8 @@ export const engine = {
   },
   /** Opens a file. One of a set, a folder, may refer only to files of that folder. */
   open: (path: string, set: string | null = null): Promise<DocumentInfo> => ask({ open: { path, set } }, { isKept: true }),
+  /** Opens a table again, as particles. */
+  particles: (id: number): Promise<DocumentInfo> => ask({ particles: { id } }, { isKept: true }),
   openExample: (): Promise<DocumentInfo> => ask("open_example", { isKept: true }),
 };
 

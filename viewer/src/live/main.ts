@@ -13,6 +13,7 @@ import { readFragment } from "./link";
 import { Notice } from "./notice";
 import { MomentsPad } from "./pad";
 import type { DocumentInfo } from "./protocol";
+import { Report } from "./report/report";
 import { engine } from "./engine";
 import { Session } from "./session";
 import { Shown } from "./shown";
@@ -27,7 +28,7 @@ orSay(() => {
       id: "scenario",
       title: "Scenario",
       fill: (host) => {
-        new Editor(host, session);
+        new Editor(host, session, "scenario");
         return undefined;
       },
     },
@@ -54,8 +55,10 @@ orSay(() => {
   });
   troubles(session);
   const notice = new Notice();
-  const inspection = new Inspection(document.querySelector("main") ?? document.body, app);
-  const shown = new Shown(session, inspection, notice);
+  const main = document.querySelector("main") ?? document.body;
+  const inspection = new Inspection(main, app);
+  const report = new Report(main, app, session);
+  const shown = new Shown(session, inspection, report, notice);
   shown.takes = (id) => lessons.reread(id);
   const drop = new Drop((document) => shown.open(document), (words) => notice.say(words));
   const actions = new Actions(session, notice);
@@ -77,6 +80,7 @@ orSay(() => {
   document.querySelector("#help dl")?.append(...keys.flatMap(([key, what]) => [element("dt", {}, element("kbd", {}, key)), element("dd", {}, what)]));
   window.polhodeLive = session;
   window.polhodeInspection = inspection;
+  window.polhodeReport = report;
   void begin(session, shown, notice, lessons);
 });
 
@@ -85,6 +89,7 @@ declare global {
     /** Access for tests, and for inspection in the console. */
     polhodeLive?: Session;
     polhodeInspection?: Inspection;
+    polhodeReport?: Report;
   }
 }
 
@@ -124,7 +129,7 @@ async function begin(session: Session, shown: Shown, notice: Notice, lessons: Le
     const lesson = lessonOf(location.hash) ?? files.lesson;
     if (lesson !== null) await lessons.open(lesson);
     if (!session.document && wanted) await shown.open(wanted, linked?.text);
-    else if (!session.document) notice.say("Drop a scenario, a mesh, a robot, a molecule or particles on the page, or open a file.");
+    else if (!session.document) notice.say("Drop a scenario, a parts list, a log, a mesh, a robot or a molecule on the page, or open a file.");
     // An opened document clears the notice.
     if (files.problems.length > 0) notice.say(files.problems.join("\n"));
     files.watch(

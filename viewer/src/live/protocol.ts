@@ -24,18 +24,63 @@ export interface DocumentInfo {
   id: number;
   /** Name, such as "t-handle.toml". */
   name: string;
-  kind: "scenario" | "mesh" | "robot";
+  kind: "scenario" | "mesh" | "robot" | "table";
   /** True if the file is a single mesh: `{"mesh": {"id"}}` shows it, whether it is closed or not. */
   mesh: boolean;
   /** Changes when the file changes. */
   stamp: string;
 }
 
-/** `{"document": {"id"}}`: current text of a scenario, or the inspection of a mesh or a robot. */
+/**
+ * `{"document": {"id"}}`: current text of a scenario, the inspection of a mesh or a robot, or the
+ * kinds of a table.
+ */
 export type DocumentContent =
   | { kind: "scenario"; text: string }
   | { kind: "mesh"; mesh: MeshInspection }
-  | { kind: "robot"; robot: RobotInspection };
+  | { kind: "robot"; robot: RobotInspection }
+  | { kind: "table"; table: TableContent };
+
+/** Command that reads a table; `{"particles": {"id"}}` opens the file again as a body that turns. */
+export type TableKind = "budget" | "identify" | "judge" | "particles";
+
+/** A table or a plan. */
+export interface TableContent {
+  /** Possible kinds; the reader chooses if there are several. */
+  kinds: { kind: TableKind; what: string; fields: Field[] }[];
+  /** Text of a plan in TOML; null for a table. */
+  text: string | null;
+  /** True if the log names a scenario that was dropped with it. */
+  has_scenario: boolean;
+}
+
+/** Option of a command: a field of its request. */
+export interface Field {
+  key: string;
+  what: string;
+  form: "text" | "integer" | "flag" | "choice";
+  choices: string[];
+}
+
+/** `{"report": ReportRequest}`: report on a table. */
+export interface ReportRequest {
+  document: number;
+  kind: TableKind;
+  /** Text of the plan, if it was edited. */
+  text: string | null;
+  /** Scenario by which a run is judged, if it does not name its own. */
+  scenario: { document: number; text: string } | null;
+  options: Options;
+}
+
+export type Options = Record<string, string | number | boolean>;
+
+export interface ReportAnswer {
+  /** Report as the command prints it with --html and --json. */
+  report: { title: string; html: string; json: string; has_failed: boolean } | null;
+  /** `places` are places with their lines, as the command prints them. */
+  error: (TextError & { places: string }) | null;
+}
 
 /**
  * `{"mesh": {"id"}}`: inspection of a mesh, also of a closed one with a motion. For a mesh, here

@@ -5,6 +5,7 @@
 import { element } from "../dom";
 import type { Inspection } from "./inspection/inspection";
 import type { Notice } from "./notice";
+import type { Report } from "./report/report";
 import type { DocumentContent, DocumentInfo } from "./protocol";
 import { engine, Refused } from "./engine";
 import type { Session } from "./session";
@@ -18,14 +19,17 @@ export class Shown {
   takes: (id: number) => Promise<boolean> = () => Promise.resolve(false);
   readonly #session: Session;
   readonly #inspection: Inspection;
+  readonly #report: Report;
   readonly #notice: Notice;
   #all: DocumentInfo[] = [];
   /** Number of the last request: the latest one is shown, whichever answer arrives first. */
   #asked = 0;
 
-  constructor(session: Session, inspection: Inspection, notice: Notice) {
+  constructor(session: Session, inspection: Inspection, report: Report, notice: Notice) {
     this.#session = session;
     this.#inspection = inspection;
+    this.#report = report;
+    report.opened = (document) => void this.open(document);
     this.#notice = notice;
     this.choice.addEventListener("change", () => {
       const chosen = this.#all.find(({ id }) => String(id) === this.choice.value);
@@ -35,7 +39,12 @@ export class Shown {
   }
 
   get document(): DocumentInfo | null {
-    return this.#inspection.document ?? this.#session.document;
+    return this.#away ?? this.#session.document;
+  }
+
+  /** Document that is shown instead of the motion. */
+  get #away(): DocumentInfo | null {
+    return this.#inspection.document ?? this.#report.document;
   }
 
   /** Opens a document; for a scenario, `text` replaces its own if that was changed. */
@@ -43,8 +52,9 @@ export class Shown {
     this.#asked += 1;
     const asked = this.#asked;
     // Returns to the unchanged motion.
-    if (this.#inspection.document && info.id === this.#session.document?.id && text === undefined) {
+    if (this.#away && info.id === this.#session.document?.id && text === undefined) {
       this.#inspection.hide();
+      this.#report.hide();
       this.#session.tell();
       await this.update(this.#all);
       return;
@@ -70,8 +80,15 @@ export class Shown {
       this.#notice.clear();
       if (content.kind === "scenario") {
         this.#inspection.hide();
+        this.#report.hide();
         this.#session.open(info, content.text, text);
-      } else this.#inspection.show(info, content);
+      } else if (content.kind === "table") {
+        this.#inspection.hide();
+        this.#report.show(info, content.table);
+      } else {
+        this.#report.hide();
+        this.#inspection.show(info, content);
+      }
     } catch (problem) {
       if (asked !== this.#asked) return;
       const hint = problem instanceof Refused && problem.hint ? ` — ${problem.hint}` : "";
@@ -88,7 +105,7 @@ export class Shown {
     const mine = this.document;
     const now = all.find(({ id }) => id === mine?.id);
     if (!mine || !now || now.stamp === mine.stamp) return;
-    if (this.#inspection.document) {
+    if (this.#away) {
       this.#asked += 1;
       await this.#ask(now, now.mesh ? engine.mesh(now.id) : engine.document(now.id), this.#asked);
     } else if (!(await this.takes(mine.id))) await this.#reread(now);

@@ -24,7 +24,7 @@ pub(crate) fn sheet(
     if source.text.len() > u32::MAX as usize {
         return Err(unsupported(format!("a text of more than {} bytes", u32::MAX)));
     }
-    let separator = separator(source.text, from, is_heading);
+    let separator = separator(source.text, from, is_heading).unwrap_or(b',');
     let (mut rows, mut count) = (Vec::new(), 0);
     let mut fields = Fields { text: source.text, at: from };
     let mut number = 1 + newlines(source.text.get(..from).unwrap_or_default());
@@ -55,8 +55,8 @@ fn newlines(text: &str) -> usize {
     text.bytes().filter(|b| *b == b'\n').count()
 }
 
-/// Returns the separator with which a field is a heading; a comma if there is none.
-fn separator(text: &str, from: usize, is_heading: fn(&str) -> bool) -> u8 {
+/// Returns the separator with which a field is a heading, if there is one.
+pub(crate) fn separator(text: &str, from: usize, is_heading: fn(&str) -> bool) -> Option<u8> {
     /// Number of lines that are searched for headings.
     const LINES: usize = 100;
     let mut at = from;
@@ -66,7 +66,7 @@ fn separator(text: &str, from: usize, is_heading: fn(&str) -> bool) -> u8 {
             let mut fields = Fields { text: text.get(..end).unwrap_or_default(), at };
             while fields.at < end {
                 match fields.next(separator) {
-                    Ok((field, _)) if is_heading(&field.text) => return separator,
+                    Ok((field, _)) if is_heading(&field.text) => return Some(separator),
                     Ok(_) => {}
                     Err(_) => break,
                 }
@@ -74,5 +74,5 @@ fn separator(text: &str, from: usize, is_heading: fn(&str) -> bool) -> u8 {
         }
         at = end;
     }
-    b','
+    None
 }

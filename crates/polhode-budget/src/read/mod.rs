@@ -50,7 +50,7 @@ use polhode_source::file;
 use polhode_source::files::Files;
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
-use polhode_source::toml::{list_units, tree};
+use polhode_source::toml::{list_units, root_names, tree};
 use polhode_source::{ContentError, shown};
 
 use crate::{Ballast, Basis, Budget, Limit};
@@ -199,6 +199,17 @@ fn of_text(path: &Path, text: &str, access: Access<'_>) -> Result<BudgetFile, Fo
     list_units::check(source, &entries)?;
     let plan = plan::plan(&Table::root(source, &entries), &[], None)?;
     of_csv(source, from, plan, access)
+}
+
+/// Returns true for a workbook, and for a text with a heading of names, which [`read()`] requires.
+pub fn is_list(bytes: &[u8]) -> bool {
+    let has_names = |text: &str| csv::separator(text, 0, heading::is_of_names).is_some();
+    xlsx::is_archive(bytes) || xlsx::is_compound(bytes) || str::from_utf8(bytes).is_ok_and(has_names)
+}
+
+/// Returns true for the text of a plan, which names a file of parts. It need not be valid.
+pub fn is_plan(text: &str) -> bool {
+    root_names(text).any(|name| name == "parts")
 }
 
 /// Largest size of a file, bytes. No parts list is larger.

@@ -29,8 +29,9 @@ use std::path::Path;
 use polhode_source::files::Files;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::toml::source::Source;
-use polhode_source::toml::{document, text_of};
+use polhode_source::toml::{document, root_names, text_of};
 use polhode_source::{FormatError, FormatErrorKind};
+use polhode_table::log::named_quantities;
 
 use crate::IdentifyError;
 use crate::swing::SwingPlan;
@@ -87,6 +88,17 @@ pub enum Measurement {
 
 /// Tables for kinds of measurement; a plan has exactly one.
 const KINDS: [&str; 3] = ["tumble", "swing", "payload"];
+
+/// Returns true for the text of a plan. It need not be valid.
+pub fn is_plan(text: &str) -> bool {
+    root_names(text).any(|name| KINDS.contains(&name))
+}
+
+/// Returns true for the text of a log with times, and with angular velocities or attitudes.
+pub fn is_log(text: &[u8]) -> bool {
+    let found = named_quantities(text);
+    found.omega || found.attitude
+}
 
 /// Reads a plan.
 ///

@@ -13,4 +13,4 @@ pub mod tree;
 pub use asked::{Asked, Question, What};
 pub use body_part::BodyPart;
 pub use rotation::rotation;
-pub use text::{LARGEST_FILE, document, text_of};
+pub use text::{LARGEST_FILE, document, root_names, text_of};

@@ -38,3 +38,29 @@ pub fn document(source: Source<'_>) -> Result<Entries, FormatError> {
     list_units::check(source, &entries)?;
     Ok(entries)
 }
+
+/// Returns the names of the keys and tables at the root of a text, line by line. The text need not
+/// be valid, so that a damaged file is still recognized.
+pub fn root_names(text: &str) -> impl Iterator<Item = &str> {
+    let mut is_root = true;
+    text.lines().filter_map(move |line| {
+        let line = line.trim_start_matches('\u{feff}').trim_start();
+        let header = line.trim_start_matches('[').trim_start();
+        is_root &= !line.starts_with('[');
+        let end = header.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == '-'))?;
+        let (name, rest) = header.split_at(end);
+        let is_key = is_root && rest.trim_start().starts_with(['=', '.']);
+        (!name.is_empty() && (is_key || line.starts_with('['))).then_some(name)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::root_names;
+
+    #[test]
+    fn names_at_the_root_are_found_in_a_damaged_text() {
+        let text = "\u{feff}parts = \"a.csv\"\n# note = 1\n about.x = 2\n[[limit]]\nof = [\n[ swing.numbers ]\nparts = 3\n";
+        assert_eq!(root_names(text).collect::<Vec<_>>(), ["parts", "about", "limit", "swing"]);
+    }
+}

@@ -74,6 +74,10 @@ mod json_lines;
 mod matrix;
 mod measured;
 mod name;
+#[cfg(feature = "parquet")]
+pub mod parquet;
+#[cfg(not(feature = "parquet"))]
+#[path = "no_parquet.rs"]
 pub mod parquet;
 mod rows;
 
@@ -91,6 +95,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use blocks::{Blocks, Failure};
 use choice::{Plan, Wanted};
 use head::Head;
+use name::{Kind, Name};
 use rows::Rows;
 
 pub use columns::{Columns, ColumnsError};
@@ -265,12 +270,10 @@ fn of_text(
 ) -> Result<Numbers, Failure> {
     let blocks = Blocks::new(stream)?;
     let text = blocks.first();
-    let unmarked = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
-    let is_json = unmarked.trim_ascii_start().starts_with(b"{");
     if let Some(error) = foreign::refusal(text) {
         return Err(error.into());
     }
-    if is_json {
+    if is_json(text) {
         let opening = json_lines::opening(text, told.unwrap_or(&Columns::default()))?;
         let columns = told.or(opening.head.columns.as_ref()).cloned().unwrap_or_default();
         let mut plan = choice::choose(&opening.header, &columns, &opening.head.units, wanted)?;
@@ -286,6 +289,44 @@ fn of_text(
     plan.has_commas = opening.separator == Separator::Byte(b',');
     let rows = blocks.rows(opening.rows, length, &plan, &csv::Table::new(&plan, &opening))?;
     Ok((opening.head, plan, rows))
+}
+
+fn is_json(text: &[u8]) -> bool {
+    let unmarked = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+    unmarked.trim_ascii_start().starts_with(b"{")
+}
+
+/// Quantities that the columns of a log have by their names, complete or not.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct NamedQuantities {
+    /// True if the log has attitudes, or columns that may be attitudes.
+    pub attitude: bool,
+    /// True if the log has angular velocities.
+    pub omega: bool,
+    /// Scenario that the log states, as a path relative to the log.
+    pub scenario: Option<PathBuf>,
+}
+
+/// Returns the quantities in a log in text. Without a time it has none.
+pub fn named_quantities(text: &[u8]) -> NamedQuantities {
+    let opened = match is_json(text) {
+        true => json_lines::opening(text, &Columns::default()).map(|opening| (opening.head, opening.header)),
+        false => csv::opening(text, false).map(|opening| (opening.head, opening.header)),
+    };
+    let Ok((head, header)) = opened else { return NamedQuantities::default() };
+    let told = head.columns.is_some();
+    let names: Vec<Name> = header.names.iter().filter_map(|name| Name::of(name)).collect();
+    let has = |kind| names.iter().any(|name| name.kind == kind);
+    let is_log = has(Kind::Time);
+    // Plain x, y and z are a position; with w they are a quaternion.
+    let is_attitude = |name: &Name| {
+        name.kind == Kind::Attitude && !(name.group.is_empty() && ["x", "y", "z"].contains(&&*name.label))
+    };
+    NamedQuantities {
+        attitude: told || is_log && (names.iter().any(is_attitude) || has(Kind::Euler)),
+        omega: is_log && has(Kind::Omega),
+        scenario: head.scenario,
+    }
 }
 
 fn finished(head: Head, plan: Plan, rows: Rows) -> Result<RunLog, ContentError> {

@@ -5,6 +5,7 @@
 
 mod csv;
 pub mod curve;
+#[cfg(feature = "parquet")]
 mod parquet;
 mod required;
 mod trajectory;
@@ -12,6 +13,7 @@ mod trajectory;
 use std::borrow::Cow;
 use std::fmt;
 
+#[cfg(feature = "parquet")]
 pub use parquet::{io_error, parquet_properties};
 pub use required::required;
 pub use trajectory::Surroundings;
@@ -19,6 +21,7 @@ pub use trajectory::Surroundings;
 /// Table of numbers, whose rows are computed while they are written.
 #[derive(Debug)]
 pub struct Table<'a> {
+    #[cfg_attr(not(feature = "parquet"), allow(dead_code, reason = "only Parquet names its table"))]
     name: &'static str,
     rows: usize,
     columns: Vec<Column<'a>>,

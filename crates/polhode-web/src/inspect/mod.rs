@@ -1,4 +1,4 @@
-//! Contents of documents: the text of a scenario, or the inspection of a mesh or a robot.
+//! Contents of documents: the text of a scenario, the inspection of a mesh or a robot, or a table.
 
 mod links;
 mod mesh;
@@ -11,6 +11,8 @@ use serde::{Serialize, Serializer};
 pub(crate) use mesh::MARKS;
 pub use mesh::MeshInspection;
 pub use robot::RobotInspection;
+
+use crate::table::TableContent;
 
 /// Contents of a document: `DocumentContent` of `viewer/src/live/protocol.ts`.
 #[derive(Debug, Serialize)]
@@ -31,6 +33,11 @@ pub enum DocumentContent {
     Robot {
         /// Links and findings.
         robot: RobotInspection,
+    },
+    /// Table or plan, whose report is another request.
+    Table {
+        /// Possible kinds, and the text of a plan.
+        table: TableContent,
     },
 }
 

@@ -19,4 +19,5 @@ mod robot_shapes;
 mod robots;
 mod session;
 mod stopped;
+mod tables;
 mod text;

@@ -13,7 +13,7 @@ import { robotList } from "./robot-list";
 import { RobotScene } from "./robot-scene";
 import { type Still, StillView } from "./still";
 
-export type Inspected = Exclude<DocumentContent, { kind: "scenario" }>;
+export type Inspected = Extract<DocumentContent, { kind: "mesh" | "robot" }>;
 
 export class Inspection {
   /** Document shown; null if it is a motion. */

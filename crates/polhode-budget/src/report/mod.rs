@@ -25,7 +25,7 @@ pub mod workbook;
 use polhode::body::{Finding, Severity};
 use polhode_document::layout::printable;
 use polhode_document::number::{NO_BREAK, count, number, with_error};
-use polhode_document::{Document, Section};
+use polhode_document::{Document, Level, Section, Verdict};
 
 use crate::read::{Prescribed, Questions};
 use crate::{
@@ -227,7 +227,21 @@ impl BudgetReport {
             section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
         }
         let answer = self.cases.iter().flat_map(|case| self.answer(case)).collect();
-        Document { title: self.title.clone(), answer, sections, findings: self.findings() }
+        let findings = self.findings();
+        let verdict = self.verdict(&findings);
+        Document { title: self.title.clone(), verdict, answer, sections, findings }
+    }
+
+    /// Returns the verdict on limits and allowable masses; `None` without limits and warnings.
+    fn verdict(&self, findings: &[Finding]) -> Option<Verdict> {
+        let is_warning = |finding: &&Finding| finding.severity == Severity::Warning;
+        let warnings: Vec<&str> = findings.iter().filter(is_warning).map(|f| f.message.as_str()).collect();
+        match warnings[..] {
+            [] if self.limits.is_empty() => None,
+            [] => Some(Verdict::new(Level::Ok, "all limits are met")),
+            _ if self.is_beyond() => Some(Verdict::new(Level::Failure, warnings.join("; "))),
+            _ => Some(Verdict::new(Level::Warning, warnings.join("; "))),
+        }
     }
 
     fn answer(&self, case: &Case) -> Vec<String> {

@@ -238,10 +238,13 @@ impl Check {
                 "delete one of the two, or name the output file after --fix",
             ),
             (Some(_), Format::Text | Format::Json | Format::Table) => return Ok(()),
-            (Some(_), _) => (
-                "--fix reports as text, as a table or as JSON, but another format is requested".to_owned(),
-                "write the fixed model first, then check it in that format",
-            ),
+            (Some(_), _) => {
+                let option = if self.form.html { "--html" } else { "--format" };
+                let message = format!(
+                    "--fix reports as text, as a table or as JSON, but {option} requests another format"
+                );
+                (message, "write the fixed model first, then check it in that format")
+            }
         };
         Err(Failure::usage(message, hint))
     }

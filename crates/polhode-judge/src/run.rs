@@ -58,7 +58,7 @@ impl Report for Judged {
             Self::Suite(card) => card.to_document(),
         };
         if self.has_failed() && document.verdict.as_ref().is_none_or(|v| v.level != Level::Failure) {
-            document.verdict = Some(Verdict::new(Level::Failure, "an error is above the limit"));
+            document.verdict = Some(Verdict::new(Level::Failure, "An error is above the limit"));
         }
         document
     }

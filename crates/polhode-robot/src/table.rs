@@ -31,7 +31,7 @@ const HEADS: [&str; 13] = [
 ];
 
 /// Explanation of the columns.
-const COLUMNS: [&str; 3] = [
+pub(crate) const COLUMNS: [&str; 3] = [
     "x y z: centre of mass in the link's frame   i1 ≤ i2 ≤ i3: principal moments about it",
     "a ≥ b ≥ c: edges of the uniform box with the same mass and moments",
     "kg/m³: mass divided by the volume of the link's geometry",
@@ -58,7 +58,6 @@ impl CheckReport {
     pub(crate) fn links(&self) -> Section {
         let mut section = Section::new(0, "Links");
         section.table(&HEADS, self.rows().collect());
-        COLUMNS.iter().for_each(|line| section.say(format!("{}.", line.replace("   ", "; "))));
         section
     }
 

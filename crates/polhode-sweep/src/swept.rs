@@ -22,6 +22,9 @@ pub struct Swept {
     pub plan: String,
 }
 
+/// Explanation of the two figures of each question.
+const QUESTIONS: &str = "Figures of each question: sampled members over the most decisive input; and the share with its 95 % confidence interval, for an increasing number of members.";
+
 impl Swept {
     pub(crate) fn new(summary: SweepSummary, sample: SweepSample, plan: &Plan) -> Self {
         Self { summary, sample, findings: plan.findings(), plan: plan.text().to_owned() }
@@ -39,9 +42,9 @@ impl Swept {
         let members = count(self.summary.members);
         match failed {
             0 if self.findings.iter().any(|finding| finding.severity != Severity::Info) => {
-                Verdict::new(Level::Warning, "read the warnings about the plan")
+                Verdict::new(Level::Warning, "Read the warnings about the plan")
             }
-            0 => Verdict::new(Level::Ok, format!("no member failed, of {members}")),
+            0 => Verdict::new(Level::Ok, format!("All {members} members have a motion")),
             _ => Verdict::new(Level::Warning, format!("{} of {members} members failed", count(failed))),
         }
     }
@@ -58,7 +61,15 @@ impl Report for Swept {
         let figures = self.figures();
         for section in &mut document.sections {
             let (note, pictures) = match section.title.as_str() {
-                "Questions" => figures.each_question(),
+                "Questions" => {
+                    section.say(QUESTIONS);
+                    let pictures = figures.each_question();
+                    for (question, pictures) in self.summary.questions.iter().zip(pictures.chunks(2)) {
+                        section.say(format!("{}:", question.name));
+                        pictures.iter().for_each(|picture| section.picture(picture.clone()));
+                    }
+                    continue;
+                }
                 "Outcomes" => figures.each_histogram(),
                 "Errors and correlations" => figures.each_pair(),
                 _ => continue,

@@ -234,14 +234,17 @@ impl BudgetReport {
 
     /// Returns the verdict on limits and allowable masses; `None` without limits and warnings.
     fn verdict(&self, findings: &[Finding]) -> Option<Verdict> {
-        let is_warning = |finding: &&Finding| finding.severity == Severity::Warning;
-        let warnings: Vec<&str> = findings.iter().filter(is_warning).map(|f| f.message.as_str()).collect();
-        match warnings[..] {
-            [] if self.limits.is_empty() => None,
-            [] => Some(Verdict::new(Level::Ok, "all limits are met")),
-            _ if self.is_beyond() => Some(Verdict::new(Level::Failure, warnings.join("; "))),
-            _ => Some(Verdict::new(Level::Warning, warnings.join("; "))),
-        }
+        let has_warning = findings.iter().any(|finding| finding.severity == Severity::Warning);
+        let (level, reason) = match () {
+            () if self.cases.iter().any(|case| limits::broken(case, &self.limits).next().is_some()) => {
+                (Level::Failure, "Not all limits are met")
+            }
+            () if self.is_beyond() => (Level::Failure, "A mass is greater than allowed"),
+            () if has_warning => (Level::Warning, "The result has a warning"),
+            () if self.limits.is_empty() => return None,
+            () => (Level::Ok, "All limits are met"),
+        };
+        Some(Verdict::new(level, reason))
     }
 
     fn answer(&self, case: &Case) -> Vec<String> {

@@ -14,6 +14,8 @@ use crate::{Picture, VERSION};
 const STYLE: &str = include_str!("document.css");
 /// Smallest number of sections with a table of contents.
 const SEVERAL: usize = 3;
+/// Width of a picture that fits on a phone, px.
+const NARROW: f64 = 360.0;
 /// Width of a picture that needs the whole column, px.
 const WIDE: f64 = 600.0;
 /// Length of a cell whose text is broken into lines, columns.
@@ -122,7 +124,11 @@ fn render(block: &Block) -> String {
 }
 
 fn figure(picture: &Picture, caption: Option<String>) -> String {
-    let class = if picture.sheet.width > WIDE { " class=\"wide\"" } else { "" };
+    let class = match picture.sheet.width {
+        ..NARROW => " class=\"narrow\"",
+        WIDE.. => " class=\"wide\"",
+        _ => "",
+    };
     let caption = caption.map(|words| format!("<figcaption>{}</figcaption>\n", shown(&words)));
     let (svg, caption) = (picture.to_page_svg(), caption.unwrap_or_default());
     format!("<figure{class}>\n<div class=\"scroll\" tabindex=\"0\">\n{svg}</div>\n{caption}</figure>")
@@ -150,7 +156,7 @@ fn table(headers: &[String], rows: &[Vec<String>]) -> String {
     )
 }
 
-/// Returns true if most cells of a column begin with a number.
+/// Returns true if most cells of a column begin with a number, and none is a long text.
 fn is_numeric(rows: &[Vec<String>], column: usize) -> bool {
     let is_number = |cell: &&str| {
         let digits = cell.trim_start_matches(['-', '−', '+', '±', '<', '>', '≤', '≥', '≈', ' ']);
@@ -158,9 +164,64 @@ fn is_numeric(rows: &[Vec<String>], column: usize) -> bool {
     };
     let cells = rows.iter().filter_map(|row| row.get(column)).map(String::as_str);
     let cells: Vec<&str> = cells.filter(|cell| !matches!(*cell, "" | "—" | "unobservable")).collect();
-    2 * cells.iter().filter(|cell| is_number(cell)).count() > cells.len()
+    cells.iter().all(|cell| width(cell) <= LONG)
+        && 2 * cells.iter().filter(|cell| is_number(cell)).count() > cells.len()
 }
 
 fn shown(text: &str) -> String {
     escaped(&plain_spaces(&printable(text)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Section, Verdict};
+    use super::*;
+    use crate::figure::sheet::Sheet;
+
+    fn document(level: Level) -> Document {
+        let mut section = Section::new(1, "Limits & more");
+        let rows = [["mass", "-1.2 ± 0.1", "met"], ["spin", "3.4", "not met"], ["tilt", "—", "suspect"]];
+        section.table(&["limit", "value", ""], rows.map(|row| row.map(str::to_owned).to_vec()).to_vec());
+        let sections = vec![section.clone(), Section { number: 2, ..section.clone() }, section];
+        let verdict = Some(Verdict::new(level, "Because"));
+        Document { verdict, answer: vec!["Yes".to_owned()], sections, ..Document::of_text("A <b>", "") }
+    }
+
+    #[test]
+    fn a_verdict_has_a_class_a_sign_and_a_word() {
+        for (level, [sign, word, class]) in
+            [Level::Ok, Level::Warning, Level::Failure].map(|level| (level, level.shown()))
+        {
+            let page = document(level).to_html();
+            assert!(page.contains(&format!(
+                "<div class=\"summary {class}\">\n<p class=\"verdict\"><b>{sign} {word}</b> Because</p>\n<ul class=\"answer\">"
+            )));
+        }
+        let page = document(Level::Ok).to_html();
+        assert!(page.contains("<title>A &lt;b&gt;</title>") && page.contains("Limits &amp; more"));
+        for cell in
+            ["number\">-1.2 ± 0.1<", "number\">—<", "ok\">met<", "fail\">not met<", "warning\">suspect<"]
+        {
+            assert!(page.contains(&format!("<td class=\"{cell}")), "{cell}");
+        }
+        assert!(page.contains("<td>mass</td>") && page.contains("<a href=\"#s2\">1. Limits"));
+        // A page without formulas does not embed their font.
+        assert!(!page.contains("@font-face"));
+    }
+
+    #[test]
+    fn pictures_are_next_to_the_numbers_before_them() {
+        let picture = Picture { sheet: Sheet::new(300.0, 100.0, "p".to_owned()) };
+        let [line, text] = [Block::Lines(vec!["a = 1".to_owned()]), Block::Paragraph("b".to_owned())];
+        let picture = Block::Picture(picture);
+        let page = laid_out(&[line.clone(), picture.clone(), picture.clone(), line, text, picture]);
+        let marks =
+            ["<div class=\"beside\">", "a = 1", "<svg", "<svg", "a = 1", "<p>b", "<div class=\"figures\">"];
+        let mut rest = page.as_str();
+        for mark in marks {
+            rest = rest.split_once(mark).unwrap_or_else(|| panic!("{mark}: {page}")).1;
+        }
+        assert_eq!(page.matches("class=\"beside\"").count(), 1);
+        assert!(page.contains("width=\"345\"") && page.contains("<figure class=\"narrow\">"));
+    }
 }

@@ -37,7 +37,7 @@ impl Level {
 pub struct Verdict {
     /// Level, which determines colour, sign and word.
     pub level: Level,
-    /// Reason, one sentence without a full stop.
+    /// Reason, one sentence with a capital letter, without a full stop.
     pub reason: String,
 }
 

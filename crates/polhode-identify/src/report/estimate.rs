@@ -21,13 +21,13 @@ pub(crate) fn verdict<'a>(
     }
     let warnings = findings.iter().filter(|finding| finding.severity != Severity::Info).count();
     let (level, reason) = match () {
-        () if has_failed => (Level::Failure, "the model does not describe the measurements completely"),
-        () if warnings > 0 => (Level::Warning, "read the warnings before using the numbers"),
+        () if has_failed => (Level::Failure, "The model does not describe the measurements completely"),
+        () if warnings > 0 => (Level::Warning, "Read the warnings before using the numbers"),
         () if estimate.numbers.iter().any(|number| number.sd.is_none()) => {
-            (Level::Warning, "the measurements do not determine all numbers")
+            (Level::Warning, "The measurements do not determine all numbers")
         }
-        () if !is_tested => (Level::Warning, "no redundant measurement tests the model"),
-        () => (Level::Ok, "the model describes the measurements: the residuals are noise"),
+        () if !is_tested => (Level::Warning, "No redundant measurement tests the model"),
+        () => (Level::Ok, "The model describes the measurements: the residuals are noise"),
     };
     Verdict::new(level, reason)
 }

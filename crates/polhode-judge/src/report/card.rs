@@ -190,7 +190,7 @@ impl Card {
         }
         let sections = if errors.blocks.is_empty() { vec![cases] } else { vec![cases, errors] };
         let verdict = match (failed, not_run) {
-            (0, 0) => Verdict::new(Level::Ok, "all cases passed"),
+            (0, 0) => Verdict::new(Level::Ok, "All cases passed"),
             (0, _) => Verdict::new(Level::Warning, format!("{not_run} cases were not run")),
             _ => Verdict::new(Level::Failure, format!("{failed} of {} cases failed", self.cases.len())),
         };

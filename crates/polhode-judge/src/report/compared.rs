@@ -203,9 +203,9 @@ impl Comparison {
         };
         let answer = self.runs.iter().map(named).chain(contradictions.iter().cloned()).collect();
         let verdict = match () {
-            () if !contradictions.is_empty() => (Level::Failure, "columns have contradictory meanings"),
-            () if self.runs.iter().all(ComparedRun::is_same) => (Level::Ok, "the motions are the same"),
-            () => (Level::Warning, "the motions differ"),
+            () if !contradictions.is_empty() => (Level::Failure, "Columns have contradictory meanings"),
+            () if self.runs.iter().all(ComparedRun::is_same) => (Level::Ok, "The motions are the same"),
+            () => (Level::Warning, "The motions differ"),
         };
         Document {
             verdict: Some(Verdict::new(verdict.0, verdict.1)),

@@ -75,10 +75,10 @@ impl JudgeReport {
 
     fn verdict(&self) -> Verdict {
         let (level, reason) = match () {
-            () if self.runs.iter().any(JudgedRun::has_mistake) => (Level::Failure, "a mistake was found"),
-            () if self.runs.iter().all(JudgedRun::is_exact) => (Level::Ok, "the motion is correct"),
-            () if self.runs.iter().all(JudgedRun::is_explained) => (Level::Ok, "no mistake was found"),
-            () => (Level::Warning, "the cause of an error is unknown"),
+            () if self.runs.iter().any(JudgedRun::has_mistake) => (Level::Failure, "A mistake was found"),
+            () if self.runs.iter().all(JudgedRun::is_exact) => (Level::Ok, "The motion is correct"),
+            () if self.runs.iter().all(JudgedRun::is_explained) => (Level::Ok, "No mistake was found"),
+            () => (Level::Warning, "The cause of an error is unknown"),
         };
         Verdict::new(level, reason)
     }

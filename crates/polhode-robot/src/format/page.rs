@@ -9,6 +9,7 @@ use crate::checked::Checked;
 use crate::finding::Severity;
 use crate::policy::Reason;
 use crate::report::Counts;
+use crate::table::COLUMNS;
 
 /// Title of the findings of each severity.
 const TITLES: [(Severity, &str); 3] = [
@@ -62,6 +63,9 @@ impl Checked {
             }
             sections.push(links);
         }
+        if let Some(last) = sections.last_mut().filter(|_| self.reports().next().is_some()) {
+            COLUMNS.iter().for_each(|line| last.say(format!("{}.", line.replace("   ", "; "))));
+        }
         for (k, section) in sections.iter_mut().enumerate() {
             section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
         }
@@ -74,12 +78,12 @@ impl Checked {
 
     fn verdict(&self, suspect: usize) -> Verdict {
         if self.files.iter().any(|file| file.report.is_err()) {
-            return Verdict::new(Level::Failure, "a file cannot be read");
+            return Verdict::new(Level::Failure, "A file cannot be read");
         }
         match (self.has_failed(), suspect) {
-            (true, _) => Verdict::new(Level::Failure, "findings need a fix"),
-            (false, 0) => Verdict::new(Level::Ok, "no impossible or suspect finding"),
-            (false, _) => Verdict::new(Level::Warning, "suspect findings, which do not fail this check"),
+            (true, _) => Verdict::new(Level::Failure, "Findings need a fix"),
+            (false, 0) => Verdict::new(Level::Ok, "No impossible or suspect finding"),
+            (false, _) => Verdict::new(Level::Warning, "Suspect findings, which do not fail this check"),
         }
     }
 

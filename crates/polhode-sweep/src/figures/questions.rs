@@ -24,9 +24,9 @@ impl<'a> SweepFigures<'a> {
         (!self.summary.questions.is_empty()).then(|| self.together(&self.of_questions()))
     }
 
-    pub(crate) fn each_question(&self) -> (&'static str, Vec<Picture>) {
-        let note = "Left: sampled members over the most decisive input. Right: the share with its 95 % confidence interval, for an increasing number of members.";
-        (note, self.of_questions().each())
+    /// Returns two pictures for each question.
+    pub(crate) fn each_question(&self) -> Vec<Picture> {
+        self.of_questions().each()
     }
 
     fn of_questions(&self) -> Panels<'a> {

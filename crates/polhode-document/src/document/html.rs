@@ -61,7 +61,7 @@ impl Document {
             html.push_str(&format!("<ul class=\"answer\">\n{lines}</ul>\n"));
         }
         for found in &self.findings {
-            let class = if found.severity == Severity::Info { "info" } else { Level::Warning.shown()[2] };
+            let class = if found.severity == Severity::Info { "note" } else { Level::Warning.shown()[2] };
             let sentence = shown(&finding::sentence(found));
             html.push_str(&format!("<p class=\"finding {class}\">{sentence}</p>\n"));
         }
@@ -97,7 +97,7 @@ fn laid_out(blocks: &[Block]) -> String {
             (_, true) => numbers,
             (true, false) => format!("<div class=\"figures\">\n{pictures}</div>\n"),
             (false, false) => format!(
-                "<div class=\"beside\">\n<div>\n{numbers}</div>\n<div class=\"figures\">\n{pictures}</div>\n</div>\n"
+                "<div class=\"pair\">\n<div>\n{numbers}</div>\n<div class=\"figures\">\n{pictures}</div>\n</div>\n"
             ),
         }
     };
@@ -216,12 +216,12 @@ mod tests {
         let picture = Block::Picture(picture);
         let page = laid_out(&[line.clone(), picture.clone(), picture.clone(), line, text, picture]);
         let marks =
-            ["<div class=\"beside\">", "a = 1", "<svg", "<svg", "a = 1", "<p>b", "<div class=\"figures\">"];
+            ["<div class=\"pair\">", "a = 1", "<svg", "<svg", "a = 1", "<p>b", "<div class=\"figures\">"];
         let mut rest = page.as_str();
         for mark in marks {
             rest = rest.split_once(mark).unwrap_or_else(|| panic!("{mark}: {page}")).1;
         }
-        assert_eq!(page.matches("class=\"beside\"").count(), 1);
+        assert_eq!(page.matches("class=\"pair\"").count(), 1);
         assert!(page.contains("width=\"345\"") && page.contains("<figure class=\"narrow\">"));
     }
 }

@@ -39,6 +39,7 @@ use outputs::Outputs;
 Examples:
   polhode check robot.urdf
   polhode check robot.urdf --table
+  polhode check robot.urdf --html > robot.html
   polhode check robot.urdf --fix | patch -p1
   polhode check robot.urdf --fix robot-fixed.urdf
   polhode check src/ --root src --json | jq '.[].findings[]'
@@ -71,7 +72,7 @@ pub(crate) struct Check {
     force: bool,
     /// Print a rule with its reason, fix and example; without CODE, list all rules, one per line.
     #[arg(long, value_name = "CODE", num_args = 0..=1, conflicts_with_all = [
-        "files", "roots", "programs", "json", "table", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
+        "files", "roots", "programs", "json", "table", "html", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
     ])]
     explain: Option<Option<String>>,
 }
@@ -80,7 +81,7 @@ pub(crate) struct Check {
 #[derive(Debug, Args)]
 struct Form {
     /// Output format.
-    #[arg(long, value_enum, value_name = "FORM", conflicts_with_all = ["json", "table"])]
+    #[arg(long, value_enum, value_name = "FORM", conflicts_with_all = ["json", "table", "html"])]
     format: Option<Format>,
     /// Print JSON: one object for one file, an array for several or for a folder.
     #[arg(long)]
@@ -89,6 +90,9 @@ struct Form {
     /// density, verdict.
     #[arg(long, conflicts_with = "json")]
     table: bool,
+    /// Print a self-contained HTML page with the findings and all links.
+    #[arg(long, conflicts_with_all = ["json", "table"])]
+    html: bool,
 }
 
 impl Form {
@@ -96,6 +100,7 @@ impl Form {
         match self {
             Self { json: true, .. } => Format::Json,
             Self { table: true, .. } => Format::Table,
+            Self { html: true, .. } => Format::Html,
             Self { format, .. } => format.unwrap_or_default(),
         }
     }
@@ -233,12 +238,12 @@ impl Check {
                 "delete one of the two, or name the output file after --fix",
             ),
             (Some(_), Format::Text | Format::Json | Format::Table) => return Ok(()),
-            (Some(_), Format::Sarif | Format::Junit | Format::Github | Format::Gitlab | Format::Markdown) => {
-                (
-                    "--fix reports as text, as a table or as JSON, but --format requests another format"
-                        .to_owned(),
-                    "write the fixed model first, then check it with --format",
-                )
+            (Some(_), _) => {
+                let option = if self.form.html { "--html" } else { "--format" };
+                let message = format!(
+                    "--fix reports as text, as a table or as JSON, but {option} requests another format"
+                );
+                (message, "write the fixed model first, then check it in that format")
             }
         };
         Err(Failure::usage(message, hint))

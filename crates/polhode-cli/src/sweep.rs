@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use clap::Args;
 use polhode::body::Severity;
+use polhode_document::Report as _;
 use polhode_document::json::pretty;
 use polhode_document::layout::printable;
 use polhode_source::files::Disk;
@@ -36,6 +37,7 @@ Examples:
   polhode sweep plan.toml -o results/plan --threads 4
   polhode sweep plan.toml -o results/plan --resume
   polhode sweep plan.toml --json | jq .outcomes.period_s
+  polhode sweep plan.toml --resume --html > plan.html
   polhode sweep plan.toml --on ray://127.0.0.1:10001")]
 pub(crate) struct Sweep {
     #[command(flatten)]
@@ -52,6 +54,9 @@ pub(crate) struct Sweep {
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
+    /// Print a self-contained HTML page with figures.
+    #[arg(long, conflicts_with_all = ["json", "on"])]
+    html: bool,
     /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT; ray://local or dask://local for
     /// processes on this machine. Needs the Python package polhode.
     #[arg(long, value_name = "URL", value_parser = cluster::url)]
@@ -84,9 +89,12 @@ impl Sweep {
             let status = status.load(Ordering::Relaxed) as u8;
             return Err(self.stopped(reached.done, reached.members, &target, status));
         }
-        let summary = dataset.finish(&plan, threads)?;
+        let swept = dataset.finish(&plan, threads)?;
+        let summary = &swept.summary;
         if self.json {
             print(&(pretty(&summary.to_json()) + "\n"))
+        } else if self.html {
+            print(&swept.to_document().to_html())
         } else {
             let asked = (!summary.questions.is_empty()).then_some("questions.svg");
             let names = ["summary.json", "members/", "histograms.svg", "pairs.svg"].into_iter().chain(asked);

@@ -55,6 +55,8 @@ pub struct Series {
 pub struct Triangle {
     /// Ratios i1/i3 and i2/i3 of the principal moments of inertia.
     pub ratios: [f64; 2],
+    /// Standard deviations of the ratios, if known.
+    pub sd: Option<[f64; 2]>,
     /// Confidence regions: probability, and outline in (i1/i3, i2/i3). The smallest comes first.
     pub regions: Vec<(f64, Vec<[f64; 2]>)>,
     /// Ratios i1/i3 and i2/i3 of bodies drawn from the error distribution.
@@ -154,16 +156,16 @@ impl Drawing {
             String::new()
         } else {
             format!(
-                " Where (i1/i3, i2/i3) are with a probability of {}: the ellipse of their covariance, each of its points at its place in the triangle, and cut off where no body is possible.",
+                " The blue regions contain the true ratios with a probability of {}: the ellipse of their covariance, cut off where no body can exist.",
                 regions.join(" and ")
             )
         };
         let of_cloud = match triangle.cloud.len() {
             0 => String::new(),
-            count => format!(" Dots are {count} bodies that the errors allow, each a possible one."),
+            count => format!(" Dots are {count} bodies that the errors allow."),
         };
         Some(format!(
-            "A body is where masses in the corners, as large as its second moments ∫x² dm along the principal axes, balance. Inside are all possible bodies, on the edges laminae, in the corners rods.{of_regions}{of_cloud}"
+            "The point shows how the mass extends along the principal axes 1, 2 and 3: in a corner along one of them (a rod), on an edge along two (a thin plate), in the middle equally along all three (a sphere or a cube). i1 ≤ i2 ≤ i3 are the principal moments. Outside the triangle one moment would exceed the sum of the other two.{of_regions}{of_cloud}"
         ))
     }
 

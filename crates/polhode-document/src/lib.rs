@@ -34,7 +34,7 @@ pub mod sparkline;
 pub mod unit;
 
 pub use csv::csv_name;
-pub use document::{Block, Document, Section};
+pub use document::{Block, Document, Level, Section, Verdict};
 pub use extra::Extra;
 pub use figure::picture::Picture;
 pub use report::Report;

@@ -1,6 +1,6 @@
 //! Execution of a request.
 
-use polhode_document::{Document, Report};
+use polhode_document::{Document, Level, Report, Verdict};
 use polhode_source::Failure;
 use polhode_source::files::Files;
 use serde_json::Value;
@@ -52,11 +52,15 @@ impl Report for Judged {
     }
 
     fn to_document(&self) -> Document {
-        match self {
+        let mut document = match self {
             Self::Runs(report, _) => report.to_document(),
             Self::Compared(report, _) => report.to_document(),
             Self::Suite(card) => card.to_document(),
+        };
+        if self.has_failed() && document.verdict.as_ref().is_none_or(|v| v.level != Level::Failure) {
+            document.verdict = Some(Verdict::new(Level::Failure, "An error is above the limit"));
         }
+        document
     }
 
     fn has_failed(&self) -> bool {

@@ -197,8 +197,8 @@ impl PyDataset {
 
     /// Writes the summary of all parts; returns it as JSON and as text.
     fn finish(&self, py: Python<'_>, plan: &PyPlan, threads: usize) -> PyResult<(String, String)> {
-        let summary = py.detach(|| self.dataset.finish(&plan.plan, threads)).map_err(Raise::raise)?;
-        Ok((summary.to_json().to_string(), summary.to_text()))
+        let swept = py.detach(|| self.dataset.finish(&plan.plan, threads)).map_err(Raise::raise)?;
+        Ok((swept.summary.to_json().to_string(), swept.summary.to_text()))
     }
 }
 

@@ -69,6 +69,8 @@ pub enum Format {
     Gitlab,
     /// Markdown table for a summary or a comment.
     Markdown,
+    /// Self-contained page, as with --html.
+    Html,
     /// Table with one line per link.
     #[cfg_attr(feature = "arguments", value(skip))]
     Table,
@@ -127,6 +129,7 @@ impl Checked {
             Format::Github => self.to_github(),
             Format::Gitlab => pretty(&self.to_gitlab()) + "\n",
             Format::Markdown => self.to_markdown(),
+            Format::Html => self.to_document().to_html(),
         }
     }
 
@@ -141,7 +144,8 @@ impl Checked {
             | Format::Sarif
             | Format::Junit
             | Format::Github
-            | Format::Markdown => String::new(),
+            | Format::Markdown
+            | Format::Html => String::new(),
         }
     }
 
@@ -179,7 +183,7 @@ impl Report for Checked {
     }
 
     fn to_document(&self) -> Document {
-        Document::of_text("Check of robot models", &self.to_text(None))
+        self.page()
     }
 
     fn to_text(&self, _columns: Option<usize>) -> String {

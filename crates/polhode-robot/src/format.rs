@@ -5,6 +5,7 @@ mod github;
 mod gitlab;
 mod junit;
 mod markdown;
+mod page;
 mod sarif;
 
 use std::borrow::Cow;

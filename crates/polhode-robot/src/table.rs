@@ -1,5 +1,6 @@
 //! Table of a model's links, one row each: mass, centre, moments, equivalent box, density, verdict.
 
+use polhode_document::Section;
 use polhode_document::layout::{columns, plain_spaces, printable};
 use polhode_document::number::number;
 use polhode_source::text::counted;
@@ -29,32 +30,48 @@ const HEADS: [&str; 13] = [
     "verdict",
 ];
 
+/// Explanation of the columns.
+pub(crate) const COLUMNS: [&str; 3] = [
+    "x y z: centre of mass in the link's frame   i1 ≤ i2 ≤ i3: principal moments about it",
+    "a ≥ b ≥ c: edges of the uniform box with the same mass and moments",
+    "kg/m³: mass divided by the volume of the link's geometry",
+];
+
 impl CheckReport {
     /// Returns one line for each link, with an explanation of the columns. Missing and unphysical
     /// values are shown as a dash.
     pub fn to_table(&self) -> String {
         let heading = format!(
-            "{}   {}, {}\n\
-             x y z: centre of mass in the link's frame   i1 ≤ i2 ≤ i3: principal moments about it\n\
-             a ≥ b ≥ c: edges of the uniform box with the same mass and moments\n\
-             kg/m³: mass divided by the volume of the link's geometry\n\n",
+            "{}   {}, {}\n{}\n\n",
             printable(&self.model.path.to_string_lossy()),
             format_name(self.model.format),
             counted(self.model.links.len(), "link"),
+            COLUMNS.join("\n"),
         );
+        let mut rows = vec![HEADS.map(str::to_owned).to_vec()];
+        rows.extend(self.rows());
+        let lines: String = columns(&rows).iter().map(|line| format!("{line}\n")).collect();
+        plain_spaces(&(heading + &lines))
+    }
+
+    /// Returns the table as a section of a page.
+    pub(crate) fn links(&self) -> Section {
+        let mut section = Section::new(0, "Links");
+        section.table(&HEADS, self.rows().collect());
+        section
+    }
+
+    fn rows(&self) -> impl Iterator<Item = Vec<String>> {
         let verdicts = self.verdicts();
         let nothing = LinkGeometry::default();
-        let mut rows = vec![HEADS.map(str::to_owned).to_vec()];
-        for (k, link) in self.model.links.iter().enumerate() {
+        self.model.links.iter().enumerate().map(move |(k, link)| {
             let verdict = match verdicts.get(link.name.text.as_str()) {
                 Some(&severity) => severity.name(),
                 _ if link.inertial.is_none() => "no mass",
                 _ => "ok",
             };
-            rows.push(row(link, self.geometry.get(k).unwrap_or(&nothing), verdict));
-        }
-        let lines: String = columns(&rows).iter().map(|line| format!("{line}\n")).collect();
-        plain_spaces(&(heading + &lines))
+            row(link, self.geometry.get(k).unwrap_or(&nothing), verdict)
+        })
     }
 }
 

@@ -21,6 +21,8 @@ pub struct SweepFigures<'a> {
 
 /// Width and height of a panel, px, with three panels in a row.
 const PANEL: [f64; 2] = [336.0, 232.0];
+/// Width of a panel on a page, px.
+const ON_PAGE: f64 = 316.0;
 const COLUMNS: usize = 3;
 const MARGIN: f64 = 14.0;
 /// Height of the heading above all panels, px.
@@ -67,6 +69,17 @@ impl<'a> SweepFigures<'a> {
 
     /// Draws the distributions of outcomes, one panel for each of the most informative ones.
     pub fn histograms(&self) -> Picture {
+        self.together(&self.of_outcomes())
+    }
+
+    pub(crate) fn each_histogram(&self) -> (&'static str, Vec<Picture>) {
+        (
+            "In the histograms, the line is the median; dashed lines are the 5 % and 95 % quantiles.",
+            self.of_outcomes().each(),
+        )
+    }
+
+    fn of_outcomes(&self) -> Panels<'a> {
         let mut shown: Vec<_> =
             self.summary.outcomes.iter().filter_map(|s| Some((s, s.histogram.as_ref()?))).collect();
         shown.sort_by_key(|(statistic, _)| importance(&statistic.name));
@@ -79,7 +92,7 @@ impl<'a> SweepFigures<'a> {
         shown = shown.into_iter().enumerate().filter(|one| !alike(one)).map(|(_, one)| one).collect();
         shown.truncate(MOST_HISTOGRAMS);
         let note = "line: median; dashed: 5 % and 95 %";
-        self.panels("Outcomes", note, [shown.len(), COLUMNS], |sheet, area, k| {
+        Panels::new("Outcomes", note.to_owned(), [shown.len(), COLUMNS], move |sheet, area, k| {
             if let Some((statistic, _)) = shown.get(k) {
                 bars(sheet, area, &Shown::of(statistic).statistic);
             }
@@ -88,6 +101,14 @@ impl<'a> SweepFigures<'a> {
 
     /// Draws the strongest dependencies of outcomes on inputs, with one dot per sampled member.
     pub fn pairs(&self) -> Picture {
+        self.together(&self.of_pairs())
+    }
+
+    pub(crate) fn each_pair(&self) -> (&'static str, Vec<Picture>) {
+        ("Each dot is a sampled member; r is the rank correlation.", self.of_pairs().each())
+    }
+
+    fn of_pairs(&self) -> Panels<'a> {
         let mut shown: Vec<(&str, &str, f64)> = Vec::new();
         for pair in &self.summary.correlations {
             if shown.len() < MOST_PAIRS && !shown.iter().any(|(_, outcome, _)| *outcome == pair.outcome) {
@@ -95,21 +116,18 @@ impl<'a> SweepFigures<'a> {
             }
         }
         let note = format!("{} sampled members; r: rank correlation", self.sample.rows());
-        self.panels("Outcomes and inputs", &note, [shown.len(), COLUMNS], |sheet, area, k| {
+        let figures = *self;
+        Panels::new("Outcomes and inputs", note, [shown.len(), COLUMNS], move |sheet, area, k| {
             if let Some((input, outcome, value)) = shown.get(k) {
-                self.dots(sheet, area, input, outcome, *value);
+                figures.dots(sheet, area, input, outcome, *value);
             }
         })
     }
 
     /// Draws panels under one heading.
-    fn panels(
-        &self,
-        what: &str,
-        note: &str,
-        [count, columns]: [usize; 2],
-        draw: impl Fn(&mut Sheet, Area, usize),
-    ) -> Picture {
+    fn together(&self, panels: &Panels<'_>) -> Picture {
+        let Panels { what, note, count, columns, draw } = panels;
+        let (count, columns) = (*count, *columns);
         let title = printable(self.summary.title.as_deref().unwrap_or("sweep"));
         let width = columns.min(count.max(2)) as f64 * PANEL[0];
         let rows = count.max(1).div_ceil(columns) as f64;
@@ -201,6 +219,38 @@ impl<'a> SweepFigures<'a> {
         for (k, dots) in dots.into_iter().enumerate() {
             sheet.dots(dots, pen(k));
         }
+    }
+}
+
+/// Panels of one figure.
+struct Panels<'a> {
+    what: &'static str,
+    note: String,
+    count: usize,
+    columns: usize,
+    /// Draws a panel, by its index.
+    draw: Box<dyn Fn(&mut Sheet, Area, usize) + 'a>,
+}
+
+impl<'a> Panels<'a> {
+    fn new(
+        what: &'static str,
+        note: String,
+        [count, columns]: [usize; 2],
+        draw: impl Fn(&mut Sheet, Area, usize) + 'a,
+    ) -> Self {
+        Self { what, note, count, columns, draw: Box::new(draw) }
+    }
+
+    /// Draws each panel as a picture of its own.
+    fn each(&self) -> Vec<Picture> {
+        let of = |k| {
+            let mut sheet = Sheet::new(ON_PAGE, PANEL[1], format!("{} {}", self.what, k + 1));
+            let area = Area { left: 4.0, top: 4.0, right: ON_PAGE - 4.0, bottom: PANEL[1] - 4.0 };
+            (self.draw)(&mut sheet, area, k);
+            Picture { sheet }
+        };
+        (0..self.count).map(of).collect()
     }
 }
 

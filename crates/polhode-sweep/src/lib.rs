@@ -21,6 +21,7 @@ mod rows;
 mod run;
 mod sampling;
 mod statistics;
+mod swept;
 mod threads;
 
 pub use batch::{Batch, BatchError, Column, Values};
@@ -34,4 +35,5 @@ pub use report::{
 };
 pub use request::{REQUEST_SCHEMA, Request};
 pub use rows::{inputs, simulate, trajectories};
-pub use run::{REPORT_SCHEMA, Swept, run};
+pub use run::{REPORT_SCHEMA, run};
+pub use swept::Swept;

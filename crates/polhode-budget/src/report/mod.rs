@@ -25,7 +25,7 @@ pub mod workbook;
 use polhode::body::{Finding, Severity};
 use polhode_document::layout::printable;
 use polhode_document::number::{NO_BREAK, count, number, with_error};
-use polhode_document::{Document, Section};
+use polhode_document::{Document, Level, Section, Verdict};
 
 use crate::read::{Prescribed, Questions};
 use crate::{
@@ -227,7 +227,24 @@ impl BudgetReport {
             section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
         }
         let answer = self.cases.iter().flat_map(|case| self.answer(case)).collect();
-        Document { title: self.title.clone(), answer, sections, findings: self.findings() }
+        let findings = self.findings();
+        let verdict = self.verdict(&findings);
+        Document { title: self.title.clone(), verdict, answer, sections, findings }
+    }
+
+    /// Returns the verdict on limits and allowable masses; `None` without limits and warnings.
+    fn verdict(&self, findings: &[Finding]) -> Option<Verdict> {
+        let has_warning = findings.iter().any(|finding| finding.severity == Severity::Warning);
+        let (level, reason) = match () {
+            () if self.cases.iter().any(|case| limits::broken(case, &self.limits).next().is_some()) => {
+                (Level::Failure, "Not all limits are met")
+            }
+            () if self.is_beyond() => (Level::Failure, "A mass is greater than allowed"),
+            () if has_warning => (Level::Warning, "The result has a warning"),
+            () if self.limits.is_empty() => return None,
+            () => (Level::Ok, "All limits are met"),
+        };
+        Some(Verdict::new(level, reason))
     }
 
     fn answer(&self, case: &Case) -> Vec<String> {

@@ -167,6 +167,7 @@ pub(crate) fn triangle(case: &Case, principal: &PrincipalUncertainty<Body>) -> T
     let varies = !is_first_order || sd.iter().any(|sd| *sd > 0.0);
     Triangle {
         ratios: values,
+        sd: is_first_order.then_some(sd),
         regions: PROBABILITIES.into_iter().filter(|_| is_first_order).filter_map(region).collect(),
         cloud: bodies.iter().filter(|_| varies).take(DOTS).map(ratios).collect(),
     }

@@ -73,7 +73,7 @@ fn pages_have_the_pictures_and_texts_have_the_words() {
         let page = stdout(&scratch.run(&["identify", &plan, "--html"]));
         for words in [
             "<title>The triangle of moments</title>",
-            "times as large",
+            "no body can have",
             "<title>Correlations</title>",
             left,
             "Recommended next measurements",

@@ -44,6 +44,7 @@ mod names;
 mod obey;
 mod options;
 mod page;
+mod pages;
 mod picture;
 mod plot;
 mod resources;

@@ -59,6 +59,7 @@ fn render(block: &Block) -> String {
         Block::Matrix { name, rows, unit } => matrix(name, rows, unit),
         Block::Graph(graph) => drawn(graph),
         Block::Drawing(drawing) => typed(&drawing.lines()),
+        Block::Picture(_) => String::new(),
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| cells.iter().map(|cell| words(cell)).collect::<Vec<_>>().join(" & ");
             let body: String = rows.iter().map(|cells| format!("{} \\\\\n", row(cells))).collect();

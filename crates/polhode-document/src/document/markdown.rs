@@ -51,6 +51,7 @@ fn render_block(block: &Block) -> String {
             lines if lines.is_empty() => String::new(),
             lines => fenced(lines.into_iter()),
         },
+        Block::Picture(_) => String::new(),
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| {
                 let cells: Vec<String> = cells.iter().map(|c| escaped(c).replace('|', "\\|")).collect();

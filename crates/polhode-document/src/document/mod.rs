@@ -6,13 +6,17 @@ mod html;
 mod latex;
 mod markdown;
 mod text;
+mod verdict;
 
-use crate::VERSION;
 use polhode::body::Finding;
 use serde_json::{Value, json};
 
+pub use verdict::{Level, Verdict};
+
 use super::drawing::Drawing;
 use super::graph::Graph;
+use crate::Picture;
+use crate::VERSION;
 use crate::finding;
 use crate::json::matrix;
 use crate::layout::printable;
@@ -22,6 +26,8 @@ use crate::layout::printable;
 pub struct Document {
     /// Title of the document.
     pub title: String,
+    /// Verdict, shown on a page; `None` if the document answers no yes-or-no question.
+    pub verdict: Option<Verdict>,
     /// Lines that answer the question, printed before the working.
     pub answer: Vec<String>,
     /// Steps in order.
@@ -66,8 +72,10 @@ pub enum Block {
     },
     /// Curve over an axis.
     Graph(Graph),
-    /// Any other picture.
+    /// Any other picture, as data.
     Drawing(Drawing),
+    /// Drawn picture, for pages only; its numbers are in the tables of the report.
+    Picture(Picture),
     /// Table with a header.
     Table {
         /// Header of each column, with its unit.
@@ -82,7 +90,13 @@ impl Document {
     pub fn of_text(title: &str, text: &str) -> Self {
         let mut section = Section::new(0, title);
         text.lines().for_each(|line| section.line(line));
-        Self { title: title.to_owned(), answer: Vec::new(), sections: vec![section], findings: Vec::new() }
+        Self {
+            title: title.to_owned(),
+            verdict: None,
+            answer: Vec::new(),
+            sections: vec![section],
+            findings: Vec::new(),
+        }
     }
 
     /// Returns the document as `{"polhode": …, "title": …, "answer": […], "sections": [{"number":
@@ -147,6 +161,11 @@ impl Section {
         self.blocks.push(Block::Drawing(drawing));
     }
 
+    /// Adds a drawn picture.
+    pub fn picture(&mut self, picture: Picture) {
+        self.blocks.push(Block::Picture(picture));
+    }
+
     /// Adds a table: one header per column, and rows of cells.
     pub fn table(&mut self, headers: &[&str], rows: Vec<Vec<String>>) {
         let headers = headers.iter().map(|h| (*h).to_owned()).collect();
@@ -163,6 +182,10 @@ impl Section {
 }
 
 impl Block {
+    const fn is_picture(&self) -> bool {
+        matches!(self, Self::Graph(_) | Self::Drawing(_) | Self::Picture(_))
+    }
+
     fn to_json(&self) -> Value {
         let plain = |s: &String| crate::layout::plain_spaces(s);
         match self {
@@ -183,6 +206,7 @@ impl Block {
                 "level": { "from": graph.level.0[0], "to": graph.level.0[1], "at": graph.level.0[2], "name": graph.level.1 },
             }),
             Self::Drawing(drawing) => drawing.to_json(),
+            Self::Picture(picture) => json!({ "kind": "picture", "title": picture.sheet.title }),
             Self::Table { headers, rows } => {
                 let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(plain).collect()).collect();
                 json!({ "kind": "table", "headers": headers, "rows": rows })

@@ -53,6 +53,7 @@ fn lines(block: &Block, columns: usize) -> Vec<String> {
             super::super::graph::lines(graph).iter().map(|line| format!("{INDENT}{line}")).collect()
         }
         Block::Drawing(drawing) => drawing.lines().iter().map(|line| format!("{INDENT}{line}")).collect(),
+        Block::Picture(_) => Vec::new(),
         Block::Table { headers, rows } => table(headers, rows),
     }
 }

@@ -7,7 +7,8 @@ use super::{font, solids};
 use crate::drawing::{Bar, BarPanel, Bars};
 use crate::layout::printable;
 
-const WIDTH: f64 = 640.0;
+/// Width of two panels next to each other, and of one, px.
+const WIDTHS: [f64; 2] = [640.0, 404.0];
 const MARGIN: f64 = 10.0;
 /// Distance between bars, px.
 const STEP: f64 = 18.0;
@@ -19,16 +20,16 @@ const GAP: f64 = 14.0;
 const NAMES: f64 = 0.5;
 
 pub(super) fn sheet(bars: &Bars) -> Sheet {
-    let columns = if bars.panels.len() > 1 { 2 } else { 1 };
+    let (columns, whole_width) = if bars.panels.len() > 1 { (2, WIDTHS[0]) } else { (1, WIDTHS[1]) };
     let title = printable(&bars.title);
     let keys: Vec<Key> = used(bars)
         .filter_map(|kind| Some(Key::dot(Pen::solid(solids::colour(kind), 9.0), *bars.kinds.get(kind)?)))
         .collect();
     // The height of the heading is known only after it is drawn.
-    let whole = Area { left: MARGIN, top: MARGIN, right: WIDTH - MARGIN, bottom: MARGIN };
-    let mut sheet = Sheet::new(WIDTH, MARGIN, title.clone());
+    let whole = Area { left: MARGIN, top: MARGIN, right: whole_width - MARGIN, bottom: MARGIN };
+    let mut sheet = Sheet::new(whole_width, MARGIN, title.clone());
     let mut top = MARGIN + heading(&mut sheet, whole, &title, "", &keys);
-    let width = (WIDTH - 2.0 * MARGIN - (columns - 1) as f64 * GAP) / columns as f64;
+    let width = (whole_width - 2.0 * MARGIN - (columns - 1) as f64 * GAP) / columns as f64;
     for row in bars.panels.chunks(columns) {
         let titled = if columns > 1 { TITLE } else { 0.0 };
         for (k, panel) in row.iter().enumerate() {

@@ -9,7 +9,7 @@ use super::{bars, solids, triangle};
 use crate::drawing::{Correlations, Drawing, Scatter};
 use crate::layout::printable;
 
-const WIDTH: f64 = 640.0;
+const WIDTH: f64 = 480.0;
 const HEIGHT: f64 = 250.0;
 const MARGIN: f64 = 10.0;
 /// Resolution of a scatter plot, columns; of more points, only the least and the greatest of each
@@ -107,7 +107,7 @@ fn correlations(all: &Correlations) -> Sheet {
                         let text = format!("{:.0}", 100.0 * r).replace('-', "−");
                         let ink = if r.abs() > 0.6 { Colour(0xff_ff_ff) } else { Colour::TEXT };
                         let text = Text::small([x + 0.5 * cell, base], Anchor::Middle, ink, &text);
-                        sheet.marks.push(Mark::Text(Text { size: 10.0, ..text }));
+                        sheet.marks.push(Mark::Text(text));
                     }
                 }
                 None => sheet.text([x + 0.5 * cell, base], Anchor::Middle, Colour::FAINT, "·"),

@@ -6,8 +6,8 @@ use super::picture::Picture;
 use super::sheet::{Colour, Pen, Sheet};
 use crate::graph::Graph;
 
-const WIDTH: f64 = 560.0;
-const HEIGHT: f64 = 300.0;
+const WIDTH: f64 = 480.0;
+const HEIGHT: f64 = 280.0;
 const MARGIN: f64 = 10.0;
 
 impl Picture {

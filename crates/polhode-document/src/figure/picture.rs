@@ -5,6 +5,9 @@ use super::png;
 use super::sheet::{MAKER, Sheet};
 use super::svg;
 
+/// Scale of pictures on a page.
+const ON_PAGE: f64 = 1.15;
+
 /// Drawn picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -16,6 +19,11 @@ impl Picture {
     /// Returns the picture as SVG. Text remains text in the reader's sans-serif font.
     pub fn to_svg(&self) -> String {
         svg::write(&self.sheet)
+    }
+
+    /// Returns the picture as SVG for a page, where its letters are as large as those of tables.
+    pub(crate) fn to_page_svg(&self) -> String {
+        svg::scaled(&self.sheet, ON_PAGE)
     }
 
     /// Returns the picture with the command that made it; the command is written into the file.

@@ -7,13 +7,20 @@ use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
 
 /// Returns a sheet as SVG.
 pub fn write(sheet: &Sheet) -> String {
+    scaled(sheet, 1.0)
+}
+
+/// Returns a sheet as SVG, drawn larger by a factor.
+pub fn scaled(sheet: &Sheet, factor: f64) -> String {
     let (width, height) = (length(sheet.width), length(sheet.height));
     let maker =
         sheet.maker.as_ref().map_or_else(String::new, |maker| format!("<desc>{}</desc>\n", escaped(maker)));
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{}\" height=\"{}\" \
          role=\"img\" font-family=\"{FAMILY}\" font-size=\"{}\" fill=\"none\" stroke-linecap=\"round\" \
          stroke-linejoin=\"round\">\n<title>{}</title>\n{maker}<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n",
+        length(factor * sheet.width),
+        length(factor * sheet.height),
         length(SMALL),
         escaped(&sheet.title)
     );

@@ -7,15 +7,18 @@ use super::legend::{Key, heading};
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
 use super::ticks::Ticks;
 use crate::drawing::Triangle;
+use crate::number::with_error;
 
 const WIDTH: f64 = 640.0;
-const HEIGHT: f64 = 366.0;
+const HEIGHT: f64 = 408.0;
 const MARGIN: f64 = 10.0;
 /// Side of the triangle, px.
-const SIDE: f64 = 270.0;
+const SIDE: f64 = 280.0;
 const PART: f64 = 226.0;
-/// Lower edge of the triangle, px.
-const FOOT: f64 = 326.0;
+/// Left and lower edge of the triangle, px.
+const FOOT: [f64; 2] = [MARGIN + 8.0, 366.0];
+/// Name of the region outside the triangle.
+const FORBIDDEN: [&str; 2] = ["no body can have", "these moments"];
 /// Largest region that is enlarged, relative to the triangle.
 const WIDE: f64 = 0.45;
 /// Size of the enlarged part relative to the largest region.
@@ -45,30 +48,38 @@ pub(super) fn sheet(triangle: &Triangle) -> Sheet {
     let [first, second] = triangle.ratios;
     let body = place_in_moment_triangle([first, second, 1.0]);
     let window = regions.last().and_then(|(_, outline)| window(outline));
-    let mut keys = vec![Key::dot(DOT, "found")];
+    let sd = triangle.sd.unwrap_or_default();
+    let ratio = |k: usize| with_error(triangle.ratios[k], sd[k]);
+    let mut keys =
+        vec![Key::dot(DOT, format!("this body: i1/i3 = {}, i2/i3 = {} (no unit)", ratio(0), ratio(1)))];
     if let [(small, _), .., (large, _)] = regions[..] {
-        let words = format!(
-            "the truth is in the inner region with {:.0} %, in the outer with {:.0} %",
-            100.0 * small,
-            100.0 * large
-        );
-        keys.push(Key::line(OUTLINE, words));
+        let [small, large] = [small, large].map(|p| format!("{:.0} %", 100.0 * p));
+        keys.push(Key::line(
+            OUTLINE,
+            format!("true ratios: {small} inside the inner curve, {large} inside the outer"),
+        ));
     }
     if !cloud.is_empty() {
-        keys.push(Key::dot(CLOUD, "draws"));
+        keys.push(Key::dot(CLOUD, "bodies that the errors allow"));
     }
     if window.is_some() {
-        keys.extend([Key::line(FIRST, "i1/i3"), Key::line(SECOND, "i2/i3")]);
+        keys.extend([
+            Key::line(FIRST, "i1/i3: least over greatest moment"),
+            Key::line(SECOND, "i2/i3: middle over greatest"),
+        ]);
     }
-    heading(&mut sheet, whole, title, "", &keys);
+    heading(&mut sheet, whole, "The triangle of moments: rod, plate or sphere?", "", &keys);
 
-    let at = |[x, y]: Point| [MARGIN + 16.0 + SIDE * x, FOOT - SIDE * y];
+    let at = |[x, y]: Point| [FOOT[0] + SIDE * x, FOOT[1] - SIDE * y];
     all_bodies(&mut sheet, at);
     if window.is_none() {
         sheet.dots(cloud.iter().map(|&point| at(point)).collect(), CLOUD);
         draw_regions(&mut sheet, &regions, at);
     }
     sheet.dots(vec![at(body)], DOT);
+    let [x, y] = at(body);
+    let name = Text::small([x + 8.0, y - 8.0], Anchor::Start, Colour::BLACK, "this body");
+    sheet.marks.push(Mark::Text(Text { halo: true, ..name }));
     if let Some(window) = window {
         window.mark(&mut sheet, at);
         window.draw(&mut sheet, &regions, &cloud, body);
@@ -79,6 +90,11 @@ pub(super) fn sheet(triangle: &Triangle) -> Sheet {
 /// Draws the whole triangle with the meaning of its corners and edges.
 fn all_bodies(sheet: &mut Sheet, at: impl Fn(Point) -> Point) {
     let corners = MOMENT_TRIANGLE.map(&at);
+    let ([left, right], [top, bottom]) = ([corners[0][0], corners[1][0]], [corners[2][1], corners[0][1]]);
+    let outside = vec![[left, top], [right, top], [right, bottom], [left, bottom]];
+    sheet.marks.push(Mark::Polygon { corners: outside, fill: NO_BODY, opacity: 1.0 });
+    sheet.marks.push(Mark::Polygon { corners: corners.to_vec(), fill: WHITE, opacity: 1.0 });
+    forbidden(sheet, [left + 6.0, top + 16.0], Anchor::Start);
     let middle = place_in_moment_triangle([1.0; 3]);
     let median =
         |k: usize| vec![corners[k], at([0, 1].map(|c| 1.5 * middle[c] - 0.5 * MOMENT_TRIANGLE[k][c]))];
@@ -90,12 +106,21 @@ fn all_bodies(sheet: &mut Sheet, at: impl Fn(Point) -> Point) {
             ..Text::small([x, y + down], anchor, Colour::FAINT, words)
         }));
     };
-    say(corners[0], 16.0, Anchor::Start, "rod along 1");
-    say(corners[1], 16.0, Anchor::End, "rod along 2");
-    say(corners[2], -6.0, Anchor::Middle, "rod along 3");
-    say(at([0.5, 0.0]), 16.0, Anchor::Middle, "laminae");
-    say(at(middle), -7.0, Anchor::Middle, "sphere");
+    say(corners[0], 16.0, Anchor::Start, "rod, axis 1");
+    say(corners[1], 16.0, Anchor::End, "rod, axis 2");
+    say(corners[2], -6.0, Anchor::Middle, "rod, axis 3");
+    say(at([0.5, 0.0]), 16.0, Anchor::Middle, "thin plate");
+    say(at([0.75, 0.5 * MOMENT_TRIANGLE[2][1]]), 0.0, Anchor::Middle, "thin plate");
+    say(at([0.25, 0.5 * MOMENT_TRIANGLE[2][1]]), 0.0, Anchor::Middle, "thin plate");
+    say(at(middle), -7.0, Anchor::Middle, "sphere, cube");
     sheet.dots(vec![at(middle)], Pen::solid(Colour::FRAME, 4.0));
+}
+
+/// Names the region where no body exists, from a position downward.
+fn forbidden(sheet: &mut Sheet, [x, y]: Point, anchor: Anchor) {
+    for (k, words) in FORBIDDEN.into_iter().enumerate() {
+        sheet.text([x, y + 15.0 * k as f64], anchor, Colour::TEXT, words);
+    }
 }
 
 fn draw_regions(sheet: &mut Sheet, regions: &[(f64, Vec<Point>)], at: impl Fn(Point) -> Point) {
@@ -150,7 +175,7 @@ impl Window {
 
     fn draw(self, sheet: &mut Sheet, regions: &[(f64, Vec<Point>)], cloud: &[Point], body: Point) {
         let scale = PART / (2.0 * self.half);
-        let (left, bottom) = (WIDTH - MARGIN - 48.0 - PART, FOOT - 8.0);
+        let (left, bottom) = (WIDTH - MARGIN - 48.0 - PART, FOOT[1] - 8.0);
         let [[x0, y0], ..] = self.corners();
         let at = |[x, y]: Point| [left + scale * (x - x0), bottom - scale * (y - y0)];
         let frame = self.corners().map(at);
@@ -169,7 +194,7 @@ impl Window {
         draw_regions(sheet, regions, at);
         sheet.dots(vec![at(body)], DOT);
         sheet.line(frame.iter().chain(&frame[..1]).copied().collect(), Pen::solid(Colour::TEXT, 0.9));
-        let words = format!("{} times as large", crate::number::number(scale / SIDE, 2));
+        let words = format!("enlarged {} times", crate::number::number(scale / SIDE, 2));
         let [x, y] = frame[3];
         sheet.text([x + PART, y - 5.0], Anchor::End, Colour::FAINT, &words);
         // A corner of the square without physical bodies.
@@ -181,7 +206,7 @@ impl Window {
         {
             let [x, y] = at([x, y]);
             let anchor = if x < left + 0.5 * PART { Anchor::Start } else { Anchor::End };
-            sheet.text([x, y + 0.36 * SMALL], anchor, Colour::FAINT, "no body");
+            forbidden(sheet, [x, y + 0.36 * SMALL], anchor);
         }
     }
 
@@ -247,19 +272,23 @@ mod tests {
         let outline = vec![[0.29, 0.71], [0.33, 0.72], [0.31, 0.75], [0.28, 0.72]];
         let triangle = Triangle {
             ratios: [0.305, 0.715],
+            sd: Some([0.004, 0.003]),
             regions: vec![(0.68, outline.clone()), (0.95, outline)],
             cloud: vec![[0.3, 0.72]],
         };
         let svg = super::super::svg::write(&sheet(&triangle));
-        for words in ["no body", "times as large", "rod along 1", "68 %, in the outer with 95 %"] {
+        for words in
+            [FORBIDDEN[0], "enlarged", "rod, axis 1", "95 % inside the outer", "i1/i3 = 0.3050 ± 0.0040"]
+        {
             assert!(svg.contains(words), "{words}: {svg}");
         }
         // Without regions there is nothing to enlarge.
         let svg = super::super::svg::write(&sheet(&Triangle {
             ratios: [0.5, 0.8],
+            sd: None,
             regions: Vec::new(),
             cloud: Vec::new(),
         }));
-        assert!(svg.contains("laminae") && !svg.contains("times as large"));
+        assert!(svg.contains("thin plate") && !svg.contains("enlarged"));
     }
 }

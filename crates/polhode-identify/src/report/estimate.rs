@@ -1,12 +1,36 @@
 //! Estimated parameters with their errors, as text and JSON.
 
 use polhode::body::{Finding, Severity};
-use polhode_document::Section;
 use polhode_document::number::{count, counted, number, with_error};
+use polhode_document::{Level, Section, Verdict};
 use serde_json::{Value, json};
 
 use super::picture;
 use crate::{Estimate, Number, PrincipalEstimate, ResidualTest, Undetermined};
+
+/// Returns the verdict on an estimate: whether the residuals are noise, and whether the measurements
+/// determine all numbers.
+pub(crate) fn verdict<'a>(
+    tests: impl IntoIterator<Item = &'a ResidualTest>,
+    findings: &[Finding],
+    estimate: &Estimate,
+) -> Verdict {
+    let (mut is_tested, mut has_failed) = (false, false);
+    for test in tests {
+        (is_tested, has_failed) = (true, has_failed || test.shows_model_error());
+    }
+    let warnings = findings.iter().filter(|finding| finding.severity != Severity::Info).count();
+    let (level, reason) = match () {
+        () if has_failed => (Level::Failure, "The model does not describe the measurements completely"),
+        () if warnings > 0 => (Level::Warning, "Read the warnings before using the numbers"),
+        () if estimate.numbers.iter().any(|number| number.sd.is_none()) => {
+            (Level::Warning, "The measurements do not determine all numbers")
+        }
+        () if !is_tested => (Level::Warning, "No redundant measurement tests the model"),
+        () => (Level::Ok, "The model describes the measurements: the residuals are noise"),
+    };
+    Verdict::new(level, reason)
+}
 
 pub(crate) fn cell(value: f64, sd: Option<f64>) -> String {
     sd.map_or_else(|| "unobservable".to_owned(), |sd| with_error(value, sd))

@@ -79,11 +79,13 @@ impl Report for PayloadReport {
         sections.extend(self.found.edge.as_ref().map(|edge| self.edge(edge)));
         sections.extend([self.left(), self.unconstrained()]);
         sections.extend(self.next.as_ref().map(next::section));
+        let findings = self.findings();
         Document {
+            verdict: Some(estimate::verdict(&self.found.tests, &findings, &self.found.about_center)),
             title: printable(&self.title),
             answer,
             sections: estimate::numbered(sections),
-            findings: self.findings(),
+            findings,
         }
     }
 

@@ -82,11 +82,13 @@ impl Report for SwingReport {
         }
         let mut sections = vec![self.body(), self.each(), self.left()];
         sections.extend(self.next.as_ref().map(next::section));
+        let findings = self.findings();
         Document {
+            verdict: Some(estimate::verdict(self.found.model_tests(), &findings, &self.found.estimate)),
             title: self.title.clone(),
             answer,
             sections: estimate::numbered(sections),
-            findings: self.findings(),
+            findings,
         }
     }
 

@@ -76,11 +76,13 @@ impl Report for TumbleReport {
         }
         let mut sections = vec![self.read(), self.body(), self.left(), self.each()];
         sections.extend(self.next.as_ref().map(next::section));
+        let findings = self.findings();
         Document {
+            verdict: Some(estimate::verdict(&tumble.residuals, &findings, &tumble.estimate)),
             title: self.title.clone(),
             answer,
             sections: estimate::numbered(sections),
-            findings: self.findings(),
+            findings,
         }
     }
 

@@ -3,7 +3,7 @@
 use polhode::infer::judge::AccuracyOrder;
 use polhode_document::layout::printable;
 use polhode_document::number::{error, number};
-use polhode_document::{Document, Section};
+use polhode_document::{Document, Level, Section, Verdict};
 use serde_json::{Value, json};
 
 use super::{JudgedRun, accuracy_order, graph, json, words};
@@ -189,7 +189,13 @@ impl Card {
             }
         }
         let sections = if errors.blocks.is_empty() { vec![cases] } else { vec![cases, errors] };
+        let verdict = match (failed, not_run) {
+            (0, 0) => Verdict::new(Level::Ok, "All cases passed"),
+            (0, _) => Verdict::new(Level::Warning, format!("{not_run} cases were not run")),
+            _ => Verdict::new(Level::Failure, format!("{failed} of {} cases failed", self.cases.len())),
+        };
         Document {
+            verdict: Some(verdict),
             title: format!("Grade card: {}", printable(&self.name)),
             answer,
             sections,

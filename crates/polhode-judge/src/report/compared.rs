@@ -3,7 +3,7 @@
 use polhode::infer::judge::{Growth, RateErrors};
 use polhode_document::layout::printable;
 use polhode_document::number::{count, error, number};
-use polhode_document::{Document, Section, VERSION};
+use polhode_document::{Document, Level, Section, VERSION, Verdict};
 use serde_json::{Value, json};
 
 use super::{OMEGA_EXACT, capitalized, graph, json, spacing, words};
@@ -202,7 +202,13 @@ impl Comparison {
             _ => format!("Runs compared with {}", printable(&self.other.path)),
         };
         let answer = self.runs.iter().map(named).chain(contradictions.iter().cloned()).collect();
+        let verdict = match () {
+            () if !contradictions.is_empty() => (Level::Failure, "Columns have contradictory meanings"),
+            () if self.runs.iter().all(ComparedRun::is_same) => (Level::Ok, "The motions are the same"),
+            () => (Level::Warning, "The motions differ"),
+        };
         Document {
+            verdict: Some(Verdict::new(verdict.0, verdict.1)),
             title,
             answer,
             sections: vec![self.data(), self.differences(), self.parts()],

@@ -11,7 +11,7 @@ mod words;
 use std::path::Path;
 
 use polhode::infer::judge::{
-    AccuracyOrder, Causes, DeclaredReading, JudgeError, Judgement, MotionLog, StepErrors, causes,
+    AccuracyOrder, Causes, DeclaredReading, JudgeError, Judgement, MotionLog, StepErrors, Untried, causes,
 };
 use polhode::motion::Scenario;
 use polhode_document::layout::printable;
@@ -98,6 +98,11 @@ impl JudgedRun {
     /// explains.
     fn omega_floor(&self) -> f64 {
         OMEGA_EXACT.max(3.0 * self.judgement.floor())
+    }
+
+    /// Returns true if the error is small, or its most likely cause is known.
+    fn is_explained(&self) -> bool {
+        self.is_exact() || self.causes.untried == Some(Untried::Exact) || self.causes.likeliest().is_some()
     }
 
     /// Returns true if the program has a detected mistake, and the error is above the floor.

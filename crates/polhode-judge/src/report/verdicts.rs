@@ -5,7 +5,7 @@ use polhode::infer::judge::AccuracyOrder;
 use polhode::motion::Scenario;
 use polhode_document::layout::printable;
 use polhode_document::number::{count, counted, error, number};
-use polhode_document::{Document, Section};
+use polhode_document::{Document, Level, Section, Verdict};
 use serde_json::Value;
 
 use super::{JudgedRun, accuracy_order, capitalized, graph, json, words};
@@ -69,7 +69,18 @@ impl JudgeReport {
             [run] => format!("{}: {}", self.title, run.name),
             _ => self.title.clone(),
         };
-        Document { title, answer: answer.collect(), sections, findings: self.findings.clone() }
+        let (verdict, answer) = (Some(self.verdict()), answer.collect());
+        Document { title, verdict, answer, sections, findings: self.findings.clone() }
+    }
+
+    fn verdict(&self) -> Verdict {
+        let (level, reason) = match () {
+            () if self.runs.iter().any(JudgedRun::has_mistake) => (Level::Failure, "A mistake was found"),
+            () if self.runs.iter().all(JudgedRun::is_exact) => (Level::Ok, "The motion is correct"),
+            () if self.runs.iter().all(JudgedRun::is_explained) => (Level::Ok, "No mistake was found"),
+            () => (Level::Warning, "The cause of an error is unknown"),
+        };
+        Verdict::new(level, reason)
     }
 
     fn runs(&self) -> Section {
@@ -182,11 +193,11 @@ impl JudgeReport {
             let [from, to] = causes.span.map(|time| number(time, 4));
             s.say(format!("{}, from {from} to {to} s; {}.", run.name, words::why(run)));
             let row = |tried: &polhode::infer::judge::TriedCause| {
-                let named = if tried.is_named { "yes" } else { "" };
+                let named = if tried.is_named { "likely" } else { "not likely" };
                 let explained = words::share(tried.explained.max(0.0));
                 vec![printable(&tried.cause.to_string()), error(tried.residual), explained, named.to_owned()]
             };
-            let headers = ["tested cause", "residual (rad)", "explains", "likely"];
+            let headers = ["tested cause", "residual (rad)", "explains", "verdict"];
             s.table(&headers, causes.tried.iter().take(SHOWN).map(row).collect());
             for tried in causes.named().take(2) {
                 s.say(tried.cause.hint());

@@ -27,12 +27,11 @@ use polhode_document::json::pretty;
 
 use crate::batch::{Batch, Values};
 use crate::error::SweepError;
-use crate::figures::SweepFigures;
 use crate::parquet;
 use crate::plan::Plan;
-use crate::report::SweepSummary;
 use crate::rows::{inputs, simulate, trajectories};
 use crate::statistics;
+use crate::swept::Swept;
 use crate::threads;
 use folder::{
     Folder, HISTOGRAMS, MANIFEST, MEMBERS, PAIRS, PLAN, QUESTIONS, SUMMARY, TRAJECTORIES, part_name,
@@ -67,7 +66,7 @@ pub(crate) use manifest::Manifest;
 ///     dataset.write(part, &simulate(&plan, &inputs(&plan, dataset.rows(part)))?)?;
 /// }
 /// assert!(dataset.missing()?.is_empty());
-/// println!("{}", dataset.finish(&plan, 2)?.to_text());
+/// println!("{}", dataset.finish(&plan, 2)?.summary.to_text());
 /// # drop(dataset);
 /// # std::fs::remove_dir_all(&folder)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -232,16 +231,17 @@ impl Dataset {
     /// # Errors
     /// [`SweepError::Incomplete`] if a part is missing; [`SweepError::Read`],
     /// [`SweepError::Write`].
-    pub fn finish(&self, plan: &Plan, threads: usize) -> Result<SweepSummary, SweepError> {
+    pub fn finish(&self, plan: &Plan, threads: usize) -> Result<Swept, SweepError> {
         let (summary, sample) = statistics::of(plan, self.parts(), threads, &|part| self.read(part))?;
-        let figures = SweepFigures::new(&summary, &sample);
+        let swept = Swept::new(summary, sample, plan);
+        let figures = swept.figures();
         self.folder.write(HISTOGRAMS, figures.histograms().to_svg().as_bytes())?;
         self.folder.write(PAIRS, figures.pairs().to_svg().as_bytes())?;
         if let Some(questions) = figures.questions() {
             self.folder.write(QUESTIONS, questions.to_svg().as_bytes())?;
         }
-        self.folder.write(SUMMARY, (pretty(&summary.to_json()) + "\n").as_bytes())?;
-        Ok(summary)
+        self.folder.write(SUMMARY, (pretty(&swept.summary.to_json()) + "\n").as_bytes())?;
+        Ok(swept)
     }
 
     /// Computes a part unless it exists. Returns true if a damaged or foreign file was replaced.

@@ -7,7 +7,7 @@ use polhode_document::figure::sheet::{Colour, Mark, Pen, Point, Sheet};
 use polhode_document::layout::printable;
 use polhode_document::number::number;
 
-use super::{Shown, SweepFigures, axis_of};
+use super::{Panels, Shown, SweepFigures, axis_of};
 use crate::report::SweepQuestion;
 
 /// Maximum number of questions shown.
@@ -15,25 +15,32 @@ const MOST: usize = 8;
 /// Name and colour of members that do not fulfil the condition, and of those that do.
 const ANSWERS: [(bool, &str, Colour); 2] = [(false, "no", Colour::AXES[0]), (true, "yes", Colour::AXES[1])];
 
-impl SweepFigures<'_> {
+impl<'a> SweepFigures<'a> {
     /// Draws two panels for each question; `None` without questions.
     ///
     /// The first panel shows the condition's outcome against the most decisive input. The second
     /// shows the share that fulfils the condition against the number of members.
     pub fn questions(&self) -> Option<Picture> {
+        (!self.summary.questions.is_empty()).then(|| self.together(&self.of_questions()))
+    }
+
+    /// Returns two pictures for each question.
+    pub(crate) fn each_question(&self) -> Vec<Picture> {
+        self.of_questions().each()
+    }
+
+    fn of_questions(&self) -> Panels<'a> {
         let questions: Vec<_> = self.summary.questions.iter().take(MOST).collect();
-        if questions.is_empty() {
-            return None;
-        }
         let note = format!("dots: {} sampled members; band: 95 % confidence interval", self.sample.rows());
-        Some(self.panels("Questions", &note, [2 * questions.len(), 2], |sheet, area, k| {
+        let figures = *self;
+        Panels::new("Questions", note, [2 * questions.len(), 2], move |sheet, area, k| {
             let Some(question) = questions.get(k / 2) else { return };
             if k.is_multiple_of(2) {
-                self.deciding(sheet, area, k / 2, question);
+                figures.deciding(sheet, area, k / 2, question);
             } else {
                 settling(sheet, area, question);
             }
-        }))
+        })
     }
 
     /// Draws the outcome against the input, each member in the colour of its answer.

@@ -52,11 +52,32 @@ pub(crate) fn document(summary: &SweepSummary, findings: Vec<Finding>) -> Docume
         if label.is_empty() { line } else { format!("{label}: {line}") }
     };
     let answer = answers(summary).into_iter().map(joined).chain(std::iter::once(drawn(summary))).collect();
-    let mut sections: Vec<Section> = (1..).zip(tables(summary)).map(|(k, table)| table.section(k)).collect();
-    let mut last = Section::new(3, "Errors and correlations");
+    let mut sections: Vec<Section> = questions(summary).into_iter().collect();
+    sections.extend(tables(summary).map(Table::section));
+    let mut last = Section::new(0, "Errors and correlations");
     notes(summary).into_iter().map(joined).for_each(|line| last.line(line));
     sections.push(last);
-    Document { title: title(summary), answer, sections, findings }
+    (1..).zip(&mut sections).for_each(|(k, section)| section.number = k);
+    Document { title: title(summary), verdict: None, answer, sections, findings }
+}
+
+/// Returns the questions with their conditions and shares; `None` without questions.
+fn questions(summary: &SweepSummary) -> Option<Section> {
+    let row = |question: &SweepQuestion| {
+        let percent = |x: f64| format!("{} %", number(100.0 * x, 4));
+        let interval = question.interval.map(|ends| ends.map(percent).join(" … "));
+        vec![
+            printable(&question.name),
+            printable(&question.condition),
+            question.share.map_or_else(|| "unknown".to_owned(), percent),
+            interval.unwrap_or_default(),
+            format!("{} of {}", count(question.count), count(question.of)),
+        ]
+    };
+    let mut section = Section::new(0, "Questions");
+    let headers = ["question", "condition", "probability", "confidence interval", "members"];
+    section.table(&headers, summary.questions.iter().map(row).collect());
+    (!summary.questions.is_empty()).then_some(section)
 }
 
 fn title(summary: &SweepSummary) -> String {
@@ -186,9 +207,9 @@ struct Table {
 }
 
 impl Table {
-    fn section(self, number: u8) -> Section {
+    fn section(self) -> Section {
         let title = if self.name == "inputs" { "Inputs" } else { "Outcomes" };
-        let mut section = Section::new(number, title);
+        let mut section = Section::new(0, title);
         let rows: Vec<Vec<String>> =
             self.rows.iter().map(|row| row.iter().map(|cell| cell.trim().to_owned()).collect()).collect();
         if !rows.is_empty() {

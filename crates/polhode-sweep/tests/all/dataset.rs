@@ -78,7 +78,7 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
 fn compute(dataset: &Dataset, plan: &Plan, threads: usize) -> SweepSummary {
     let reached = dataset.compute(plan, threads, &AtomicBool::new(false), &|_| {}).unwrap();
     assert_eq!(reached.done, reached.members);
-    dataset.finish(plan, threads).unwrap()
+    dataset.finish(plan, threads).unwrap().summary
 }
 
 #[test]

@@ -117,7 +117,7 @@ impl<'a> BudgetDiff<'a> {
                 section.title = first.to_uppercase().chain(letters).collect();
             }
         }
-        Document { title, answer, sections, findings: Vec::new() }
+        Document { title, verdict: None, answer, sections, findings: Vec::new() }
     }
 
     /// Returns words such as `3 changes of 2 rows; predicted mass 4.31 kg to 4.52 kg, by +0.21 kg`.

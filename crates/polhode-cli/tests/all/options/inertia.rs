@@ -197,6 +197,7 @@ static CHECK: Subcommand = Subcommand {
         choice("--for", &["--for", "mujoco"], MODELS, &[]),
         choice("--json", &["--json"], MODELS, &[]),
         choice("--table", &["--table"], MODELS, &[]),
+        choice("--html", &["--html"], MODELS, &[]),
         choice("--format", &["--format", "github"], MODELS, &[]),
         choice("--output", &["--output", "results"], MODELS, &[]),
         choice("--strict", &["--strict"], MODELS, &[]),
@@ -213,6 +214,7 @@ static CHECK: Subcommand = Subcommand {
         ("--for", "--fail-on", "an error of --for fails in any case"),
         ("--strict", "--write-baseline", "what is written is known, whatever it is"),
         ("--fail-on", "--write-baseline", "what is written is known, whatever it is"),
+        ("--force", "--html", "refused: --fix, with which --force is tried here, has no such form"),
         ("--force", "--format", "refused: --fix, with which --force is tried here, has no such form"),
     ],
 };

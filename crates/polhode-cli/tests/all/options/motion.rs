@@ -155,6 +155,7 @@ static SWEEP: Subcommand = Subcommand {
         choice("--force", &["--force"], &["swept before"], &[]),
         choice("--threads", &["--threads", "1"], PLANS, &[]),
         choice("--json", &["--json"], PLANS, &[]),
+        choice("--html", &["--html"], PLANS, &[]),
         choice("--on", &["--on", "dask://local"], PLANS, &[]),
     ],
     independent: &[
@@ -164,6 +165,7 @@ static SWEEP: Subcommand = Subcommand {
         ("--threads", "--resume", "the files are the same for every number of threads"),
         ("--threads", "--force", "the files are the same for every number of threads"),
         ("--threads", "--json", "the files are the same for every number of threads"),
+        ("--threads", "--html", "the files are the same for every number of threads"),
     ],
 };
 

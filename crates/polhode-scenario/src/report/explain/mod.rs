@@ -90,6 +90,7 @@ fn solved(w: &Working<'_>) -> Document {
     Document {
         findings: w.findings(),
         title: w.title(),
+        verdict: None,
         answer: answer::lines(w, inside.as_ref()),
         sections: vec![
             body::section(w),

@@ -36,6 +36,10 @@ fn of_section(section: &Section) -> Vec<Value> {
                 let words = drawing.caption().unwrap_or_default();
                 blocks.push(json!({ "kind": "picture", "svg": svg, "text": plain_spaces(&words) }));
             }
+            Block::Picture(picture) => {
+                let words = plain_spaces(&picture.sheet.title);
+                blocks.push(json!({ "kind": "picture", "svg": picture.to_svg(), "text": words }));
+            }
             Block::Table { headers, rows } => blocks.push(table(headers, rows)),
         }
     }

@@ -54,6 +54,7 @@ pub(crate) fn document(w: &Working<'_>) -> Option<Document> {
     Some(Document {
         findings: w.findings(),
         title: w.title(),
+        verdict: None,
         answer,
         sections: vec![
             body::section(w),

@@ -55,7 +55,7 @@ fn text(all: &[Graded]) -> String {
     for (letter, name) in ('a'..).zip(&names) {
         let _ = writeln!(page, "- {letter}: {name}");
     }
-    let _ = writeln!(page, "- ′: also{}", FIRST_ORDER.trim_start_matches(','));
+    let _ = writeln!(page, "- ′: also{}\n- {NONE}: no cause found", FIRST_ORDER.trim_start_matches(','));
     page.push_str("\n| setting | engine | step (s) | passed | failed |\n|---|---|---|---|---|\n");
     for Graded { setting, card } in graded.iter().copied() {
         let engines: Vec<&str> =

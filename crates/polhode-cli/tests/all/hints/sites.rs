@@ -107,7 +107,7 @@ pub(super) fn check_options(help: impl Fn(&str) -> String) {
         for option in options(&text) {
             count += 1;
             let exists = commands.split(' ').any(|command| known[command].contains(&option));
-            assert!(exists, "{place}: --{option} is no option of {commands}: {text}");
+            assert!(exists, "{place}: --{option} is not an option of {commands}: {text}");
         }
     }
     assert!(count > 80, "{count}");

@@ -12,18 +12,20 @@ use crate::common::Scratch;
 use crate::obey;
 
 /// Cases, one after the other. `@ NAME` starts a file, which later cases have too; `@ NAME < OLD`
-/// starts it with the text of OLD, and `@ NAME < OLD ~ A => B` with B for A in it; `$ ARGUMENTS` is a command that fails with a hint, and `% ARGUMENTS`
-/// one that succeeds before it; `>` says how the hint is followed:
+/// starts it with the text of OLD, and `@ NAME < OLD ~ A => B` with B for A in it.
+/// `$ ARGUMENTS` is a command that fails with a hint, and `% ARGUMENTS` one that succeeds before
+/// it; `>` says how the hint is followed:
 /// - `> +TEXT` adds TEXT to the command, `> -TEXT` removes TEXT from it, and `> OLD => NEW`
 ///   replaces one by the other; TEXT and NEW are in the hint;
 /// - `> ^TEXT` writes the lines TEXT at the beginning of the file of the error, `> #TEXT` writes
 ///   them as lines of its head, which begin with `# ` in the same file; `> .TEXT` replaces
 ///   the line of the error by TEXT, and `> ~TEXT` replaces the marked text by TEXT;
-/// - `> =OLD => NEW` replaces OLD by NEW in the file that the command names, and `> ?OLD => NEW` does
-///   so where the hint says it in words only: the value is the user's;
+/// - `> =OLD => NEW` replaces OLD by NEW in the file that the command names, and `> ?OLD => NEW`
+///   does so where the hint says it in words only: the value is the user's;
 /// - `>` alone writes what the hint says at the marked place.
 ///
-/// `? FILE` before it names a source file that looks for the name that was meant. `>>` is for a file with a second mistake: the error after it is another one.
+/// `? FILE` before it names a source file that looks for the name that was meant.
+/// `>>` is for a file with a second mistake: the error after it is another one.
 const CASES: &str = include_str!("hints.txt");
 
 /// A command that fails, and how its hint is followed.

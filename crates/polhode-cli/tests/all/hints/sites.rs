@@ -61,7 +61,7 @@ pub(super) fn check_names<'a>(cases: impl Iterator<Item = &'a str>) {
         let imports = |line: &str| {
             line.starts_with("use ")
                 && line.contains("nearest")
-                && ["polhode_source", "suggestion"].iter().any(|it| line.contains(it))
+                && ["polhode_source", "suggestion", "crate::nearest"].iter().any(|it| line.contains(it))
         };
         let is_name = text.contains("polhode_source::nearest(") || text.lines().any(imports);
         let calls = text.lines().filter(|line| !line.trim_start().starts_with("//")).map(|line| {
@@ -107,7 +107,7 @@ pub(super) fn check_options(help: impl Fn(&str) -> String) {
         for option in options(&text) {
             count += 1;
             let exists = commands.split(' ').any(|command| known[command].contains(&option));
-            assert!(exists, "{place}: --{option} is no option of {commands}: {text}");
+            assert!(exists, "{place}: --{option} is not an option of {commands}: {text}");
         }
     }
     assert!(count > 80, "{count}");

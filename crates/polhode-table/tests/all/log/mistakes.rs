@@ -16,7 +16,7 @@ fn each_mistake_has_its_line_and_says_what_to_do() {
             "1,1,0,0,0,1,2\n",
             1,
             "row 2 = 1,1,0,0,0,1,2 must be 8 fields long, like the header; it has 7",
-            "cut short",
+            "did not finish this line",
         ),
         (
             "1,1,0,0,0,1,2,3,4\n",
@@ -106,7 +106,7 @@ fn a_key_of_an_object_stands_once() {
 fn decimal_commas_are_refused_with_a_hint() {
     let error = refused("t;qw;qx;qy;qz\n0;1;0;0;0\n0,5;1;0;0;0\n");
     assert_eq!(error.message(), "expected a number as t of row 2, found \"0,5\"");
-    assert!(error.hint().unwrap().contains("decimal mark of a log is a point"));
+    assert!(error.hint().unwrap().contains("write decimal points"));
     let error = refused("t,qw,qx,qy,qz\n0,0,1,0,0,0,0,0,0,0\n0,5,1,0,0,0,0,0,0,0\n");
     assert!(error.hint().unwrap().contains("decimal mark is a point"), "{:?}", error.hint());
 }

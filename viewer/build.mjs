@@ -82,11 +82,11 @@ async function replay() {
   };
 }
 
-/** The interactive page: its parts are compressed, in base 85; `src/live/boot.ts` and `worker.ts` unpack them. */
+/** The interactive page: its parts are compressed, in base 116; `src/live/boot.ts` and `worker.ts` unpack them. */
 async function interactive() {
   const codemirror = version("@codemirror/view");
-  const { text85 } = await import(`data:text/javascript,${encodeURIComponent(await bundle("src/live/base85.ts", { format: "esm", target: "es2022" }))}`);
-  const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}" data-length="${bytes.length}">${text85(bytes)}</script>`;
+  const { text116 } = await import(`data:text/javascript,${encodeURIComponent(await bundle("src/live/base116.ts", { format: "esm", target: "es2022" }))}`);
+  const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}" data-length="${bytes.length}">${text116(bytes)}</script>`;
   const viewer = {
     style: await style("src/live/live.css"),
     script: await script("src/live/main.ts", codemirror),

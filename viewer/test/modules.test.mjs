@@ -608,19 +608,20 @@ test("the curve of an orbit is its conic, whole or as far as the motion goes, in
   }
 });
 
-test("base 85 gives back every length of bytes, and its text has no meaning in HTML", async () => {
-  const { DIGITS, bytesOf85, text85 } = await load("live/base85.ts");
-  assert.equal(new Set(DIGITS).size, 85);
-  for (const length of [0, 1, 2, 3, 4, 5, 1023]) {
+test("base 116 gives back every length of bytes, and its text has no meaning in HTML", async () => {
+  const { DIGITS, bytesOf116, text116 } = await load("live/base116.ts");
+  assert.equal(new Set(DIGITS).size, 116);
+  for (const length of [0, 1, 2, 3, 4, 5, 6, 7, 1023]) {
     const bytes = Uint8Array.from({ length }, (_, k) => (k * 151 + 255) % 256);
-    const text = text85(bytes);
-    assert.match(text, /^[^\s&'"/<>\\`]*$/);
-    assert.equal(text.length, 5 * Math.ceil(length / 4));
-    assert.deepEqual(bytesOf85(text, length), bytes);
+    const text = text116(bytes);
+    assert.match(text, /^[^\0\r<\u007f-\uffff]*$/);
+    assert.equal(text.length, 7 * Math.ceil(length / 6));
+    assert.deepEqual(bytesOf116(text, length), bytes);
   }
-  // The largest word needs all digits: 85⁵ > 2³².
-  assert.deepEqual(bytesOf85(text85(Uint8Array.of(255, 255, 255, 255)), 4), Uint8Array.of(255, 255, 255, 255));
-  assert.throws(() => bytesOf85("#####", 9), /5 characters are not 9 bytes/);
+  // The largest group needs all digits: 116⁷ > 2⁴⁸ > 115⁷.
+  const largest = new Uint8Array(6).fill(255);
+  assert.deepEqual(bytesOf116(text116(largest), 6), largest);
+  assert.throws(() => bytesOf116("#####", 9), /5 characters are not 9 bytes/);
 });
 
 test("an answer of the engine is JSON, or JSON and rows", async () => {

@@ -13,7 +13,9 @@ const FONT_RULE: &str = include_str!("../assets/math.css");
 
 const FONT_FILE: &str = "./stix-two-math.woff2";
 
-const FONT: &[u8] = include_bytes!("../assets/stix-two-math.woff2");
+/// Font; none in a browser, where the interactive page has it.
+const FONT: &[u8] =
+    if cfg!(target_arch = "wasm32") { &[] } else { include_bytes!("../assets/stix-two-math.woff2") };
 
 /// Replacements for output of pulldown-latex 0.8.0 that is not valid MathML Core or XML, is not in
 /// the font, or uses a class. `mover` always holds an accent: limits are below, or below and above.

@@ -1,8 +1,8 @@
 /**
  * Start of the page: unpacks its style, its script and the worker's script, which the page contains
- * as gzip in base 85. A worker unpacks the module of the engine meanwhile.
+ * as gzip in base 116. A worker unpacks the module of the engine meanwhile.
  */
-import { bytesOf85 } from "./base85";
+import { bytesOf116 } from "./base116";
 import type { Built, Packed } from "./work";
 
 /** Parts of the viewer, as they are packed. */
@@ -25,7 +25,7 @@ function packed(id: string): Packed {
 
 async function viewer(): Promise<Viewer> {
   const { text, length } = packed("polhode-viewer");
-  return new Response(new Blob([bytesOf85(text, length)]).stream().pipeThrough(new DecompressionStream("gzip"))).json() as Promise<Viewer>;
+  return new Response(new Blob([bytesOf116(text, length)]).stream().pipeThrough(new DecompressionStream("gzip"))).json() as Promise<Viewer>;
 }
 
 /** Compiles the module in a worker of its own. */

@@ -6,5 +6,6 @@
 //! Only this crate depends on the large libraries for these formats.
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "parquet")]
 pub mod log;
 pub mod output;

@@ -5,6 +5,7 @@
 
 mod csv;
 pub mod curve;
+#[cfg(feature = "parquet")]
 mod parquet;
 mod required;
 mod trajectory;
@@ -12,6 +13,7 @@ mod trajectory;
 use std::borrow::Cow;
 use std::fmt;
 
+#[cfg(feature = "parquet")]
 pub use parquet::{io_error, parquet_properties};
 pub use required::required;
 pub use trajectory::Surroundings;
@@ -38,6 +40,11 @@ pub struct Column<'a> {
 impl<'a> Table<'a> {
     const fn new(name: &'static str, rows: usize) -> Self {
         Self { name, rows, columns: Vec::new() }
+    }
+
+    /// Returns the name of the table.
+    pub const fn name(&self) -> &'static str {
+        self.name
     }
 
     /// Returns all columns in their order.

@@ -49,3 +49,7 @@ pub use protocol::{
 };
 pub use refusal::{Refusal, RefusalKind};
 pub use watch::Watch;
+
+/// JSON schema of the requests and answers, of which the types of `viewer/src/live/protocol.ts` are
+/// made.
+pub const PROTOCOL_SCHEMA: &str = include_str!("../schema/protocol.json");

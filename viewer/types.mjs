@@ -11,6 +11,14 @@ const read = (path) => JSON.parse(readFileSync(resolve(root, "crates", path), "u
 /** Name of the type, schema, and file of each schema. */
 const TYPES = [
   ["Exchange", "polhode-web/schema/protocol.json", "viewer/src/live/protocol.ts", 'import type { PageData, Shape } from "../data";'],
+  ["InertiaRequest", "polhode-shape/schema/request.json", "npm/src/types/inertia-request.ts"],
+  ["InertiaReport", "polhode-shape/schema/report.json", "npm/src/types/inertia-report.ts"],
+  ["CheckRequest", "polhode-robot/schema/request.json", "npm/src/types/check-request.ts"],
+  ["CheckReport", "polhode-robot/schema/report.json", "npm/src/types/check-report.ts"],
+  ["FreeMotionRequest", "polhode-npm/schema/free-motion/request.json", "npm/src/types/free-motion-request.ts"],
+  ["FreeMotionReport", "polhode-npm/schema/free-motion/report.json", "npm/src/types/free-motion-report.ts"],
+  ["SimulateRequest", "polhode-scenario/schema/simulate/request.json", "npm/src/types/simulate-request.ts"],
+  ["SimulateReport", "polhode-scenario/schema/simulate/report.json", "npm/src/types/simulate-report.ts"],
 ];
 
 /** Definitions that several schemas of `polhode-scenario` refer to. */

@@ -5,7 +5,7 @@
 use crate::{Outcome, read, root};
 
 /// Crates, each with the crates that it may use.
-const MAY_USE: [(&str, &[&str]); 16] = [
+const MAY_USE: [(&str, &[&str]); 17] = [
     ("polhode", &[]),
     ("polhode-source", &["polhode"]),
     ("polhode-document", &["polhode"]),
@@ -18,7 +18,8 @@ const MAY_USE: [(&str, &[&str]); 16] = [
     ("polhode-budget", &SLICE),
     ("polhode-sweep", &SLICE),
     ("polhode-web", FRONT.split_at(10).0),
-    ("polhode-wasm", &["polhode-source", "polhode-web"]),
+    ("polhode-npm", &WITH_ROBOT),
+    ("polhode-wasm", &["polhode-source", "polhode-web", "polhode-npm"]),
     ("polhode-live", &["polhode-source", "polhode-web"]),
     ("polhode-cli", FRONT.split_at(13).0),
     ("polhode-py", &FRONT),

@@ -26,7 +26,7 @@ type Uses = BTreeMap<Module, BTreeMap<String, BTreeMap<String, Module>>>;
 /// Names imported by each module, with their paths from the root of the crate.
 type Taken = BTreeMap<Module, BTreeMap<String, Module>>;
 
-/// Checks all crates, the Python package and the viewer.
+/// Checks all crates, the Python package, the viewer and the npm package.
 pub(crate) fn check() -> Outcome {
     let mut found = Vec::new();
     let crates = root().join("crates");
@@ -36,7 +36,9 @@ pub(crate) fn check() -> Outcome {
     }
     let package = crates.join("polhode-py/python/polhode");
     found.extend(circles_of(&package, "py", |texts| imports(texts, python))?);
-    found.extend(circles_of(&root().join("viewer/src"), "ts", |texts| imports(texts, typescript))?);
+    for sources in ["viewer/src", "npm/src"] {
+        found.extend(circles_of(&root().join(sources), "ts", |texts| imports(texts, typescript))?);
+    }
     if found.is_empty() {
         Ok(())
     } else {
@@ -109,7 +111,7 @@ fn python(folder: &[String], text: &str) -> Vec<Module> {
 fn typescript(folder: &[String], text: &str) -> Vec<Module> {
     let path = |name: &str| {
         let mut path = folder.to_vec();
-        for part in name.split('/').filter(|part| *part != ".") {
+        for part in name.trim_end_matches(".js").split('/').filter(|part| *part != ".") {
             if part == ".." {
                 path.pop();
             } else {

@@ -26,7 +26,7 @@ const MODULES: [&str; 13] = [
 ];
 
 /// Paths, with the words that files below them must not use, and the reason.
-const FORBIDDEN: [(&str, &[&str], &str); 14] = [
+const FORBIDDEN: [(&str, &[&str], &str); 15] = [
     (
         "crates/polhode/src/",
         &[
@@ -62,6 +62,7 @@ const FORBIDDEN: [(&str, &[&str], &str); 14] = [
     ("crates/polhode-budget/src/", &OUTSIDE, FILES),
     ("crates/polhode-robot/src/", &OUTSIDE, FILES),
     ("crates/polhode-web/src/", &OUTSIDE, FILES),
+    ("crates/polhode-npm/src/", &OUTSIDE, FILES),
     ("crates/polhode-wasm/src/", &OUTSIDE, FILES),
 ];
 

@@ -13,7 +13,9 @@ mod examples;
 mod gate;
 mod layers;
 mod licence;
+mod module;
 mod notices;
+mod npm;
 mod packages;
 mod page;
 mod process;
@@ -50,6 +52,7 @@ usage: cargo xtask TASK
   viewer     the page's viewer: its bundle is the build of its source, and its tests pass in a browser
   page       polhode.html, the interactive page with the engine in WebAssembly, into target/page/, for a release: its size is checked, its tests pass in a
              browser, its motions have the bits of a native build, and the command takes it over; after `npm ci` in viewer/
+  npm        the npm package in target/npm/, for a release: its size is checked, and its tests pass in Node and in a browser; after `npm ci` in viewer/
   python     the Python package: its wheel is built, and its tests and examples pass from there
   workflows  the workflows of GitHub, as their schema and zizmor read them
   dist       the program for one platform, packed with man pages, completions and examples, into target/dist/; --target for another than
@@ -77,8 +80,9 @@ fn main() -> ExitCode {
         ["speed"] => speed::measure(),
         ["corpus", ref folders @ ..] if !folders.is_empty() => corpus::audit(folders),
         ["engines", ref folders @ ..] if !folders.is_empty() => engines::grade(folders),
-        ["viewer"] => viewer::check().and_then(|()| page::check()),
+        ["viewer"] => viewer::check().and_then(|()| page::check()).and_then(|()| npm::check()),
         ["page"] => page::release(),
+        ["npm"] => npm::release(),
         ["python"] => python::check(),
         ["dist"] => dist::make(None),
         ["dist", "--target", target] => dist::make(Some(target)),

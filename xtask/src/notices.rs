@@ -13,9 +13,15 @@ What is linked into polhode, beside its own code, and under which licences. Wher
 /// Prefixes of the names of licence files.
 const NAMES: [&str; 6] = ["LICENSE", "LICENCE", "COPYING", "COPYRIGHT", "NOTICE", "UNLICENSE"];
 
-/// Returns each distinct licence text once, after the names of the crates with this text.
+/// Returns the licence texts of the crates that are linked into the command.
 pub(crate) fn notices(target: &str) -> Result<String, String> {
-    let packages = tree(&["--package", "polhode-cli", "--edges", "normal", "--target", target])?;
+    notices_of(&["--package", "polhode-cli", "--target", target])
+}
+
+/// Returns each distinct licence text once, after the names of the crates with this text. `linked`
+/// are arguments of `cargo tree`: package, features and target.
+pub(crate) fn notices_of(linked: &[&str]) -> Result<String, String> {
+    let packages = tree(&[linked, &["--edges", "normal"]].concat())?;
     let sources = sources()?;
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
     let ours = root().display().to_string();

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use crate::process::{cargo, output, run, run_beside};
-use crate::{Outcome, page, root};
+use crate::{Outcome, module, root};
 
 /// Oldest major version of Node for the build and the tests.
 const NODE: u32 = 20;
@@ -29,7 +29,7 @@ pub(crate) fn check() -> Outcome {
 pub(crate) fn check_page() -> Outcome {
     let name = format!("polhode{}", std::env::consts::EXE_SUFFIX);
     let command = root().join("target/debug").join(name);
-    let page = page::folder().join("polhode.html");
+    let page = module::folder().join("polhode.html");
     let tests = &mut npm(&["run", "test:page"]);
     run_beside(tests.env("CHROMIUM", chromium()?).env("POLHODE", command).env("POLHODE_PAGE", page))
 }
@@ -37,7 +37,7 @@ pub(crate) fn check_page() -> Outcome {
 /// Compares the bits of 11,000 motions in `target/page/polhode.wasm`, in Node and in a browser, with
 /// those of a native build without fused multiply–add.
 pub(crate) fn check_bits() -> Outcome {
-    let folder = page::folder();
+    let folder = module::folder();
     let native = folder.join("native");
     let example = ["build", "--locked", "--package", "polhode-web", "--example", "answers", "--release"];
     run(cargo(&example).env("CARGO_TARGET_DIR", &native).env("RUSTFLAGS", "--cfg no_avx512 --cfg no_avx2"))?;
@@ -50,7 +50,8 @@ pub(crate) fn check_bits() -> Outcome {
     )
 }
 
-fn npm(arguments: &[&str]) -> Command {
+/// Returns a command of npm in the folder of the viewer.
+pub(crate) fn npm(arguments: &[&str]) -> Command {
     let mut npm = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
     npm.args(arguments).current_dir(root().join("viewer"));
     npm

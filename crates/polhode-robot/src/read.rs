@@ -149,7 +149,11 @@ fn language(root: &str) -> Option<ModelFormat> {
 }
 
 fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
-    if format_of(&text) == Some(ModelFormat::Usd) {
+    if format_of(&text).is_some_and(is_left_out) {
+        let error = ContentErrorKind::unsupported("in this build, which reads URDF only").of_whole();
+        return Err(FormatError::of_content(path, text.as_bytes(), error));
+    }
+    if cfg!(feature = "languages") && format_of(&text) == Some(ModelFormat::Usd) {
         let mut model = RobotModel::empty(path, ModelFormat::Usd);
         usd::read(&text, &mut model)
             .map_err(|error| FormatError::of_content(path, text.as_bytes(), error))?;
@@ -172,6 +176,7 @@ fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotMod
         let mut model = RobotModel { notes, ..RobotModel::empty(path, format) };
         match format {
             ModelFormat::Urdf => urdf::read(root, &roots, &mut model)?,
+            _ if is_left_out(format) => {}
             ModelFormat::Sdf => sdf::read(root, &files, &roots, &mut model)?,
             ModelFormat::Mjcf => mjcf::read(root, &files.folders, &roots, &mut model)?,
             ModelFormat::Osim => osim::read(root, &mut model)?,
@@ -186,6 +191,11 @@ fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotMod
     roots.report(&mut model);
     keep_finite(&mut model);
     Ok(model)
+}
+
+/// Returns true for a language that this build does not read.
+fn is_left_out(format: ModelFormat) -> bool {
+    !cfg!(feature = "languages") && format != ModelFormat::Urdf
 }
 
 /// Moves frames whose position is not finite to the origin, with a note.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use polhode_source::files::Files;
-use polhode_source::{Failure, FormatError, read_text_file};
+use polhode_source::{Failure, FormatError, read_text_file, shown};
 
 use crate::checked::{Checked, FileChecked};
 use crate::finding::{Finding, Severity};
@@ -70,14 +70,25 @@ impl<'a> Inputs<'a> {
         polhode_source::file::require_folders(files, &request.roots)?;
         let usual = || Some(PathBuf::from(USUAL)).filter(|usual| files.is_file(usual));
         let config = request.config.clone().or_else(usual);
+        if let Some(path) =
+            config.iter().chain(&request.baseline).next().filter(|_| !cfg!(feature = "languages"))
+        {
+            let message =
+                format!("{} is a configuration or a baseline, which this build does not read", shown(path));
+            return Err(Failure::usage(message, ""));
+        }
         let policy = Policy {
             config: match &config {
-                Some(path) => read_text_file(files, path, |text| Ok(Config::read(path, text)))??,
-                None => Config::default(),
+                Some(path) if cfg!(feature = "languages") => {
+                    read_text_file(files, path, |text| Ok(Config::read(path, text)))??
+                }
+                _ => Config::default(),
             },
             baseline: match &request.baseline {
-                Some(path) => Some(read_text_file(files, path, |text| Ok(Baseline::read(path, text)))??),
-                None => None,
+                Some(path) if cfg!(feature = "languages") => {
+                    Some(read_text_file(files, path, |text| Ok(Baseline::read(path, text)))??)
+                }
+                _ => None,
             },
             today: request.today.unwrap_or_default(),
         };

@@ -56,3 +56,7 @@ pub use table::{
     TableKind,
 };
 pub use watch::Watch;
+
+/// JSON schema of the requests and answers, of which the types of `viewer/src/live/protocol.ts` are
+/// made.
+pub const PROTOCOL_SCHEMA: &str = include_str!("../schema/protocol.json");

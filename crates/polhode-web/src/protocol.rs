@@ -1,4 +1,4 @@
-//! Protocol between page and engine, as in `viewer/src/live/protocol.ts`.
+//! Protocol between page and engine; `schema/protocol.json` describes it for TypeScript.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;

@@ -64,5 +64,5 @@ function refusalIn(bytes: ArrayBuffer): Refusal | null {
   const first = new Uint8Array(bytes, 0, Math.min(REFUSAL.length, bytes.byteLength));
   if (first.length < REFUSAL.length || !first.every((byte, k) => byte === REFUSAL[k])) return null;
   const { refusal } = JSON.parse(new TextDecoder().decode(bytes)) as { refusal: Refusal | null };
-  return refusal ?? { message: "the engine could not write its answer", hint: null };
+  return refusal ?? { kind: "internal", message: "the engine could not write its answer", hint: null };
 }

@@ -43,7 +43,7 @@ impl Mesh {
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, String> {
         let (contents, turned_in) = match MeshFormat::of_path(path) {
-            Some(MeshFormat::Collada) => {
+            Some(MeshFormat::Collada) if cfg!(feature = "languages") => {
                 let read = read_text_file(files, path, collada::read_with_axis);
                 let is_y_up = matches!(read, Ok((_, Some(UpAxis::Y))));
                 (read.map(|(contents, _)| contents), is_y_up.then_some(MeshReading::Other))

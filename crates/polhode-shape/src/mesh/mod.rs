@@ -119,6 +119,9 @@ macro_rules! formats {
             }
 
             const fn reader(self) -> Reader {
+                if !cfg!(feature = "formats") && !matches!(self, Self::Stl | Self::Obj) {
+                    return left_out;
+                }
                 match self {
                     $(Self::$format => $reader,)*
                 }
@@ -151,6 +154,12 @@ formats! {
         let text = str::from_utf8(bytes).map_err(|e| FormatError::not_utf8(path, bytes, e.valid_up_to()))?;
         located(collada::read(text), bytes, path)
     };
+}
+
+/// Refuses a format in a build with STL and OBJ only.
+fn left_out(_: &dyn Files, bytes: &[u8], path: &Path) -> Result<MeshContents, FormatError> {
+    let error = ContentErrorKind::unsupported("in this build, which reads STL and OBJ meshes only");
+    Err(FormatError::of_content(path, bytes, error.of_whole()))
 }
 
 /// Checks that the contents have triangles, and adds the place in the file to an error.

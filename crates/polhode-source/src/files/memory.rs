@@ -29,6 +29,11 @@ impl Memory {
         self.files.insert(lexical(path.as_ref()), bytes.into());
     }
 
+    /// Returns the paths of all files and their contents, in the order of the paths.
+    pub fn all(&self) -> impl Iterator<Item = (&Path, &[u8])> {
+        self.files.iter().map(|(path, bytes)| (path.as_path(), &**bytes))
+    }
+
     fn bytes(&self, path: &Path) -> io::Result<&Arc<[u8]>> {
         let plain = lexical(path);
         self.files.get(&plain).ok_or_else(|| match self.is_folder(&plain) {

@@ -43,6 +43,11 @@ impl<'a> Table<'a> {
         Self { name, rows, columns: Vec::new() }
     }
 
+    /// Returns the name of the table.
+    pub const fn name(&self) -> &'static str {
+        self.name
+    }
+
     /// Returns all columns in their order.
     pub fn columns(&self) -> &[Column<'a>] {
         &self.columns

@@ -55,7 +55,7 @@ impl Table<'_> {
             Ok(Arc::new(field.with_repetition(Repetition::REQUIRED).build()?))
         };
         let fields = self.columns().iter().map(field).collect::<Result<_, ParquetError>>()?;
-        Ok(Arc::new(Type::group_type_builder(self.name).with_fields(fields).build()?))
+        Ok(Arc::new(Type::group_type_builder(self.name()).with_fields(fields).build()?))
     }
 }
 

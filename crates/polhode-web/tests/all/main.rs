@@ -14,9 +14,12 @@ mod lessons;
 mod meshes;
 mod motion;
 mod page;
+mod protocol;
 mod refused;
 mod robot_shapes;
 mod robots;
+#[path = "../../../polhode-robot/tests/all/common/schema.rs"]
+mod schema;
 mod session;
 mod stopped;
 mod tables;

@@ -22,7 +22,7 @@ pub(crate) fn fits(root: &Value, schema: &Value, value: &Value, at: &str) -> Res
     let of_list = |rule: &Value, of: &dyn Fn(&Value) -> bool| rule.as_array().unwrap().iter().any(of);
     for (word, rule) in schema.as_object().unwrap() {
         let is_kept = match word.as_str() {
-            "$schema" | "$defs" | "title" | "description" | "default" => true,
+            "$schema" | "$defs" | "title" | "description" | "default" | "tsType" => true,
             "$ref" => {
                 let target = rule.as_str().unwrap().trim_start_matches('#');
                 fits(root, root.pointer(target).unwrap(), value, at)?;

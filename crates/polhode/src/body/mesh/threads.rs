@@ -24,7 +24,8 @@ impl Threads {
     /// Returns the results of all pieces of work, in their order.
     pub(crate) fn map<T: Send>(self, pieces: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
         let threads = self.0.min(pieces);
-        if threads <= 1 {
+        // A module for WebAssembly has one thread; the code of others would make it larger.
+        if threads <= 1 || cfg!(target_family = "wasm") {
             return (0..pieces).map(work).collect();
         }
         let next = AtomicUsize::new(0);

@@ -1,0 +1,50 @@
+//! The npm package `polhode`: two WebAssembly modules, and the JavaScript around them.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use crate::module::{self, Build};
+use crate::notices::notices_of;
+use crate::process::{build_folder, output, run, run_beside};
+use crate::viewer::{chromium, npm};
+use crate::{Outcome, root};
+
+/// Builds and packs the package for a release into `target/npm/`, and runs its tests.
+pub(crate) fn release() -> Outcome {
+    let package = build(Build::Release)?;
+    test(&package, Build::Release)?;
+    println!("   {}", package.display());
+    Ok(())
+}
+
+/// Builds the package quickly, and runs its tests, after the checks of the viewer.
+pub(crate) fn check() -> Outcome {
+    test(&build(Build::Quick)?, Build::Quick)
+}
+
+/// Builds and packs the package, and returns the path of the archive.
+fn build(build: Build) -> Result<PathBuf, String> {
+    let small = module::build(build, "package", module::SMALL, "npm-small")?;
+    let full = module::build(build, "full", "page", "npm-full")?;
+    let folder = root().join("target/npm");
+    let package = folder.join("package");
+    let mut node = Command::new("node");
+    node.arg("build.mjs").arg("--small").arg(small).arg("--full").arg(full).arg("--into").arg(&package);
+    run(node.current_dir(root().join("npm")))?;
+    let linked = ["--package", "polhode-wasm", "--features", "full", "--target", "wasm32-unknown-unknown"];
+    let file = package.join("THIRD-PARTY-LICENSES.txt");
+    std::fs::write(&file, notices_of(&linked)?).map_err(|error| format!("{}: {error}", file.display()))?;
+    let name = output(npm(&["pack", "--silent", "--pack-destination", ".."]).current_dir(&package))?;
+    Ok(folder.join(name.trim()))
+}
+
+/// Runs the tests of the archive in Node and in a browser, with the command built by the tests.
+fn test(package: &PathBuf, build: Build) -> Outcome {
+    let command = build_folder()?.join(format!("polhode{}", std::env::consts::EXE_SUFFIX));
+    let mut tests = Command::new("node");
+    tests.args(["--test", "test/node.test.mjs", "test/browser.test.mjs"]).current_dir(root().join("npm"));
+    if build == Build::Release {
+        tests.env("POLHODE_RELEASE", "1");
+    }
+    run_beside(tests.env("CHROMIUM", chromium()?).env("POLHODE", command).env("POLHODE_PACKAGE", package))
+}

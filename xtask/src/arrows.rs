@@ -18,7 +18,7 @@ const MAY_USE: [(&str, &[&str]); 17] = [
     ("polhode-budget", &SLICE),
     ("polhode-sweep", &SLICE),
     ("polhode-web", FRONT.split_at(10).0),
-    ("polhode-npm", &WITH_ROBOT),
+    ("polhode-npm", FRONT.split_at(7).0),
     ("polhode-wasm", &["polhode-source", "polhode-web", "polhode-npm"]),
     ("polhode-live", &["polhode-source", "polhode-web"]),
     ("polhode-cli", FRONT.split_at(13).0),

@@ -55,6 +55,19 @@ pub(crate) fn build(build: Build, features: &str, profile: &str, name: &str) -> 
     Ok(module)
 }
 
+/// Compresses a module for a release, and returns its new path.
+pub(crate) fn packed(module: &Path) -> Result<PathBuf, String> {
+    let failed = |error| format!("{}: {error}", module.display());
+    let bytes = std::fs::read(module).map_err(failed)?;
+    let mut out = Vec::new();
+    zopfli::compress(zopfli::Options::default(), zopfli::Format::Gzip, bytes.as_slice(), &mut out)
+        .map_err(failed)?;
+    println!("   module: {} kB, {} kB compressed", bytes.len() / 1000, out.len() / 1000);
+    let packed = module.with_extension("wasm.gz");
+    std::fs::write(&packed, out).map_err(failed)?;
+    Ok(packed)
+}
+
 /// A compiler with the standard library for WebAssembly, or with its sources.
 ///
 /// Cargo compiles the sources too, which is not stable yet: a release needs it for a standard

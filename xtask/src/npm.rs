@@ -1,6 +1,6 @@
 //! The npm package `polhode`: two WebAssembly modules, and the JavaScript around them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::module::{self, Build};
@@ -9,22 +9,33 @@ use crate::process::{build_folder, output, run, run_beside};
 use crate::viewer::{chromium, npm};
 use crate::{Outcome, root};
 
+/// Largest size of the small module compressed by gzip, bytes.
+const MOST: u64 = 400_000;
+
 /// Builds and packs the package for a release into `target/npm/`, and runs its tests.
 pub(crate) fn release() -> Outcome {
     let package = build(Build::Release)?;
-    test(&package, Build::Release)?;
+    test(&package)?;
     println!("   {}", package.display());
     Ok(())
 }
 
 /// Builds the package quickly, and runs its tests, after the checks of the viewer.
 pub(crate) fn check() -> Outcome {
-    test(&build(Build::Quick)?, Build::Quick)
+    test(&build(Build::Quick)?)
 }
 
 /// Builds and packs the package, and returns the path of the archive.
 fn build(build: Build) -> Result<PathBuf, String> {
     let small = module::build(build, "package", module::SMALL, "npm-small")?;
+    if build == Build::Release {
+        let packed = module::packed(&small)?;
+        let size =
+            std::fs::metadata(&packed).map_err(|error| format!("{}: {error}", packed.display()))?.len();
+        if size > MOST {
+            return Err(format!("the small module has {size} bytes compressed, more than {MOST}"));
+        }
+    }
     let full = module::build(build, "full", "page", "npm-full")?;
     let folder = root().join("target/npm");
     let package = folder.join("package");
@@ -39,12 +50,9 @@ fn build(build: Build) -> Result<PathBuf, String> {
 }
 
 /// Runs the tests of the archive in Node and in a browser, with the command built by the tests.
-fn test(package: &PathBuf, build: Build) -> Outcome {
+fn test(package: &Path) -> Outcome {
     let command = build_folder()?.join(format!("polhode{}", std::env::consts::EXE_SUFFIX));
     let mut tests = Command::new("node");
     tests.args(["--test", "test/node.test.mjs", "test/browser.test.mjs"]).current_dir(root().join("npm"));
-    if build == Build::Release {
-        tests.env("POLHODE_RELEASE", "1");
-    }
     run_beside(tests.env("CHROMIUM", chromium()?).env("POLHODE", command).env("POLHODE_PACKAGE", package))
 }

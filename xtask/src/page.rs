@@ -1,6 +1,5 @@
 //! The interactive page, `polhode.html`: the engine as a WebAssembly module, and the viewer around it.
 
-use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::module::{self, Build};
@@ -14,7 +13,7 @@ const MOST: u64 = 3_000_000;
 /// Builds the module and the page into `target/page/`.
 pub(crate) fn build(build: Build) -> Outcome {
     let module = module::build(build, "page", "page", "polhode")?;
-    let module = if build == Build::Release { packed(&module)? } else { module };
+    let module = if build == Build::Release { module::packed(&module)? } else { module };
     let page = module::folder().join("polhode.html");
     let mut viewer = Command::new("node");
     viewer.args(["build.mjs", "--module"]).arg(&module).arg("--page").arg(&page);
@@ -41,19 +40,6 @@ pub(crate) fn release() -> Outcome {
     std::fs::copy(module::folder().join("polhode.html"), &committed)
         .map(|_| ())
         .map_err(|error| format!("{}: {error}", committed.display()))
-}
-
-/// Compresses the module for a release, and returns its new path.
-fn packed(module: &Path) -> Result<PathBuf, String> {
-    let failed = |error| format!("{}: {error}", module.display());
-    let bytes = std::fs::read(module).map_err(failed)?;
-    let mut out = Vec::new();
-    zopfli::compress(zopfli::Options::default(), zopfli::Format::Gzip, bytes.as_slice(), &mut out)
-        .map_err(failed)?;
-    println!("   module: {} kB, {} kB compressed", bytes.len() / 1000, out.len() / 1000);
-    let packed = module.with_extension("wasm.gz");
-    std::fs::write(&packed, out).map_err(failed)?;
-    Ok(packed)
 }
 
 /// Checks the size of a release.

@@ -1,19 +1,6 @@
 /* Types of crates/polhode-npm/schema/free-motion/report.json, written by viewer/types.mjs; do not edit. */
 
 /**
- * Times of the request, s.
- */
-export type Place = Float64Array;
-/**
- * Angular velocity relative to space, body axes, rad/s: three numbers for each time.
- */
-export type Place1 = Float64Array;
-/**
- * Attitude as unit quaternions (w, x, y, z), continuous in the order of the times: four numbers for each time.
- */
-export type Place2 = Float64Array;
-
-/**
  * Torque-free motion. Arrays have one row after the other, a row for each time.
  */
 export interface FreeMotionReport {
@@ -67,7 +54,16 @@ export interface FreeMotionReport {
    * Items: Component of the angular momentum, kg·m²/s.
    */
   momentum_space_kg_m2_s: [number, number, number];
-  times_s: Place;
-  omega_body_rad_s: Place1;
-  attitude_wxyz: Place2;
+  /**
+   * Times of the request, s.
+   */
+  times_s: Float64Array;
+  /**
+   * Angular velocity relative to space, body axes, rad/s: three numbers for each time.
+   */
+  omega_body_rad_s: Float64Array;
+  /**
+   * Attitude as unit quaternions (w, x, y, z), continuous in the order of the times: four numbers for each time.
+   */
+  attitude_wxyz: Float64Array;
 }

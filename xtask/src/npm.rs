@@ -1,6 +1,6 @@
 //! The npm package `polhode`: two WebAssembly modules, and the JavaScript around them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::module::{self, Build};
@@ -9,22 +9,32 @@ use crate::process::{build_folder, output, run, run_beside};
 use crate::viewer::{chromium, npm};
 use crate::{Outcome, root};
 
+/// Largest size of the small module compressed by gzip, bytes.
+const MOST: usize = 400_000;
+
 /// Builds and packs the package for a release into `target/npm/`, and runs its tests.
 pub(crate) fn release() -> Outcome {
     let package = build(Build::Release)?;
-    test(&package, Build::Release)?;
+    test(&package)?;
     println!("   {}", package.display());
     Ok(())
 }
 
 /// Builds the package quickly, and runs its tests, after the checks of the viewer.
 pub(crate) fn check() -> Outcome {
-    test(&build(Build::Quick)?, Build::Quick)
+    test(&build(Build::Quick)?)
 }
 
 /// Builds and packs the package, and returns the path of the archive.
 fn build(build: Build) -> Result<PathBuf, String> {
     let small = module::build(build, "package", module::SMALL, "npm-small")?;
+    if build == Build::Release {
+        let size = gzipped(&small)?;
+        println!("   small module: {} kB compressed", size / 1000);
+        if size > MOST {
+            return Err(format!("the small module has {size} bytes compressed, more than {MOST}"));
+        }
+    }
     let full = module::build(build, "full", "page", "npm-full")?;
     let folder = root().join("target/npm");
     let package = folder.join("package");
@@ -38,13 +48,20 @@ fn build(build: Build) -> Result<PathBuf, String> {
     Ok(folder.join(name.trim()))
 }
 
+/// Returns the size of a file compressed by gzip, bytes.
+fn gzipped(file: &Path) -> Result<usize, String> {
+    let failed = |error| format!("{}: {error}", file.display());
+    let bytes = std::fs::read(file).map_err(failed)?;
+    let mut out = Vec::new();
+    zopfli::compress(zopfli::Options::default(), zopfli::Format::Gzip, bytes.as_slice(), &mut out)
+        .map_err(failed)?;
+    Ok(out.len())
+}
+
 /// Runs the tests of the archive in Node and in a browser, with the command built by the tests.
-fn test(package: &PathBuf, build: Build) -> Outcome {
+fn test(package: &Path) -> Outcome {
     let command = build_folder()?.join(format!("polhode{}", std::env::consts::EXE_SUFFIX));
     let mut tests = Command::new("node");
     tests.args(["--test", "test/node.test.mjs", "test/browser.test.mjs"]).current_dir(root().join("npm"));
-    if build == Build::Release {
-        tests.env("POLHODE_RELEASE", "1");
-    }
     run_beside(tests.env("CHROMIUM", chromium()?).env("POLHODE", command).env("POLHODE_PACKAGE", package))
 }

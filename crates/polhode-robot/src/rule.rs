@@ -66,7 +66,40 @@ impl Example {
     }
 }
 
+/// Table. A build of URDF only has the codes, severities and titles, which its reports contain.
+#[cfg(feature = "languages")]
 const TABLE: &str = include_str!("rule/rules.txt");
+#[cfg(not(feature = "languages"))]
+const TABLE: &str = match str::from_utf8(&TITLES) {
+    Ok(table) => table,
+    Err(_) => "",
+};
+
+/// Table with blanks after the title of each rule.
+#[cfg(any(test, not(feature = "languages")))]
+static TITLES: [u8; include_bytes!("rule/rules.txt").len()] = titles(*include_bytes!("rule/rules.txt"));
+
+/// Overwrites all lines but headings and titles with blanks, which a compressed module has for
+/// nothing.
+#[cfg(any(test, not(feature = "languages")))]
+const fn titles<const N: usize>(mut table: [u8; N]) -> [u8; N] {
+    /// Number of lines that a section keeps.
+    const KEPT: usize = 2;
+    let (mut at, mut line) = (0, KEPT);
+    while at + 2 < N {
+        let is_start = at == 0 || table[at - 1] == b'\n';
+        if is_start && table[at] == b'#' && table[at + 1] == b'#' && table[at + 2] == b' ' {
+            line = 0;
+        }
+        if table[at] == b'\n' {
+            line += 1;
+        } else if line >= KEPT {
+            table[at] = b' ';
+        }
+        at += 1;
+    }
+    table
+}
 
 static RULES: LazyLock<Vec<Rule>> =
     LazyLock::new(|| TABLE.split("\n## ").skip(1).filter_map(Rule::read).collect());
@@ -189,5 +222,15 @@ mod tests {
             assert!(rule.why.ends_with('.') && rule.mend.ends_with('.'), "{}", rule.code);
             assert!(rule.to_text().lines().all(|line| line.chars().count() <= 120), "{}", rule.to_text());
         }
+    }
+
+    #[test]
+    fn the_table_of_titles_has_all_codes_severities_and_titles() {
+        let titles = str::from_utf8(&TITLES).unwrap_or_default();
+        let of = |rule: &Rule| (rule.code, rule.severity, rule.title);
+        let short: Vec<Rule> = titles.split("\n## ").skip(1).filter_map(Rule::read).collect();
+        assert_eq!(short.iter().map(of).collect::<Vec<_>>(), rules().map(of).collect::<Vec<_>>());
+        assert!(short.iter().all(|rule| rule.why.trim().is_empty() && rule.example.is_none()));
+        assert!(titles.split_whitespace().count() < TABLE.split_whitespace().count() / 2);
     }
 }

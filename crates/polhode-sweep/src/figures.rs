@@ -222,6 +222,8 @@ impl<'a> SweepFigures<'a> {
     }
 }
 
+type Draw<'a> = Box<dyn Fn(&mut Sheet, Area, usize) + 'a>;
+
 /// Panels of one figure.
 struct Panels<'a> {
     what: &'static str,
@@ -229,7 +231,7 @@ struct Panels<'a> {
     count: usize,
     columns: usize,
     /// Draws a panel, by its index.
-    draw: Box<dyn Fn(&mut Sheet, Area, usize) + 'a>,
+    draw: Draw<'a>,
 }
 
 impl<'a> Panels<'a> {

@@ -17,7 +17,7 @@ pub(crate) fn triangle(p: &PrincipalEstimate) -> Option<Triangle> {
     }
     let region = |probability: f64| Some((probability, p.ratio_region(probability)?));
     let regions = PROBABILITIES.into_iter().filter_map(region).collect();
-    let sd = p.ratio_sd.map(|sd| sd.unwrap_or_default());
+    let sd = p.ratio_sd.map(Option::unwrap_or_default);
     Some(Triangle { ratios: p.ratios, sd: Some(sd), regions, cloud: Vec::new() })
 }
 

@@ -11,13 +11,14 @@ use serde_json::{Value, json};
 
 use crate::schema::require_fits;
 
-/// Files of this repository with a list of the extensions of meshes, and how each writes one.
-const LISTS: [(&str, fn(&str) -> String); 5] = [
-    ("crates/polhode-py/python/polhode/_inertia.py", |extension| format!("\"{extension}\"")),
-    ("viewer/src/live/dropped.ts", |extension| format!("\"{extension}\"")),
-    ("crates/polhode-web/src/documents.rs", |extension| format!(".{extension}")),
-    ("book/inertia.md", |extension| format!("`.{extension}`")),
-    ("book/live.md", |extension| format!(".{extension}")),
+/// Files of this repository with a list of the extensions of meshes, and what is before and after
+/// each.
+const LISTS: [(&str, [&str; 2]); 5] = [
+    ("crates/polhode-py/python/polhode/_inertia.py", ["\"", "\""]),
+    ("viewer/src/live/dropped.ts", ["\"", "\""]),
+    ("crates/polhode-web/src/documents.rs", [".", ""]),
+    ("book/inertia.md", ["`.", "`"]),
+    ("book/live.md", [".", ""]),
 ];
 
 const REQUEST: &str = polhode_shape::REQUEST_SCHEMA;
@@ -134,12 +135,13 @@ fn every_list_of_mesh_formats_has_all_of_them() {
     let kinds = schema["properties"]["format"]["enum"].as_array().unwrap();
     for format in MeshFormat::ALL {
         assert!(kinds.contains(&json!(format.name())), "{} is not in the schema", format.name());
-        for (path, written) in LISTS {
+        for (path, [before, after]) in LISTS {
             let text =
                 std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path))
                     .unwrap();
             for extension in format.extensions() {
-                assert!(text.contains(&written(extension)), "{path} does not have {}", written(extension));
+                let written = format!("{before}{extension}{after}");
+                assert!(text.contains(&written), "{path} does not have {written}");
             }
         }
     }

@@ -23,15 +23,11 @@ pub(crate) fn answer(
     mut options: Options,
     seen: &Seen<'_>,
 ) -> ReportAnswer {
-    match kind {
-        TableKind::Budget => _ = options.insert("file".to_owned(), json!(path)),
-        _ => {
-            _ = options.insert(
-                "files".to_owned(),
-                scenario.into_iter().chain([path]).map(|path| json!(path)).collect(),
-            )
-        }
-    }
+    let (key, value) = match kind {
+        TableKind::Budget => ("file", json!(path)),
+        _ => ("files", scenario.into_iter().chain([path]).map(|path| json!(path)).collect()),
+    };
+    options.insert(key.to_owned(), value);
     let report = match kind {
         TableKind::Budget => run(options, seen, polhode_budget::run),
         TableKind::Identify => run(options, seen, polhode_identify::run),

@@ -66,9 +66,9 @@ fn kinds(session: &Session, id: u32) -> Vec<String> {
     kinds.iter().map(|kind| kind["kind"].as_str().unwrap().to_owned()).collect()
 }
 
-fn report(session: &Session, id: u32, kind: &str, more: Value) -> Value {
-    let mut request = json!({ "document": id, "kind": kind });
-    request.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+fn report(session: &Session, id: u32, kind: &str, mut request: Value) -> Value {
+    request["document"] = json!(id);
+    request["kind"] = json!(kind);
     session.ask(&json!({ "report": request })).json
 }
 

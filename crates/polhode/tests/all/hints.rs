@@ -98,7 +98,8 @@ fn a_weld_between_gaps_and_features_closes_a_mesh() {
     // The edge from o to z is divided, and the points of one side lie a gap apart.
     let (n, gap) = (40, 1e-6);
     let [o, x, y, z] = [[0.0; 3], [3.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]];
-    let point = |k: u32, off: f64| [if k % n == 0 { 0.0 } else { off }, 0.0, f64::from(k) / f64::from(n)];
+    let point =
+        |k: u32, off: f64| [if k.is_multiple_of(n) { 0.0 } else { off }, 0.0, f64::from(k) / f64::from(n)];
     let mut torn = vec![[o, y, x], [x, y, z]];
     torn.extend((0..n).map(|k| [x, point(k + 1, 0.0), point(k, 0.0)]));
     torn.extend((0..n).map(|k| [y, point(k, gap), point(k + 1, gap)]));

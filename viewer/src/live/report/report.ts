@@ -42,7 +42,7 @@ export class Report {
   readonly #error = element("div", { class: "report-error", role: "alert", hidden: true });
   readonly #page = element("div", { class: "report-page" });
   readonly #scroll = element("div", { class: "report-scroll", tabindex: "0", role: "region", "aria-label": "Report" }, this.#page);
-  readonly #panel = element("div", { class: "inspection-panel", tabindex: "-1" });
+  readonly #panel = element("div", { class: "report-panel", tabindex: "-1" });
   readonly #states = new Map<number, State>();
   #stop: AbortController | null = null;
 

@@ -228,7 +228,7 @@ def test_hints_name_keywords(tmp_path: Path) -> None:
         ("but --draws is 0", "but draws is 0"),
     ):
         assert in_python(flag) == keyword
-    with pytest.raises(polhode.PolhodeError, match=r"hull=True.*sheet along it \(shell\)") as error:
+    with pytest.raises(polhode.PolhodeError, match=r"hull=True.*shell a sheet along it") as error:
         polhode.inertia((VERTICES, TRIANGLES[:3]), density=1.0)
     assert "--" not in str(error.value)
     table = tmp_path / "points.csv"

@@ -46,6 +46,13 @@ def heard(call: Callable[[], Any], after: float) -> float:
     return ended - sent[0]
 
 
+def timed(call: Callable[[], Any]) -> float:
+    """How long the call takes, s."""
+    begun = time.perf_counter()
+    call()
+    return time.perf_counter() - begun
+
+
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="Windows has no os.mkfifo, which makes the file that the test waits for")
 @pytest.mark.parametrize("name", ["body.stl", "points.csv", "molecule.xyz", "scenario.toml"])
 def test_a_file_that_does_not_come(name: str, tmp_path: Path) -> None:
@@ -65,10 +72,8 @@ def test_a_mesh_that_takes_long() -> None:
         lambda: polhode.inertia(corners, mass=1.0, unit="m"),
         lambda: polhode.mesh_derivatives((vertices, triangles), density=1.0),
     ):
-        begun = time.perf_counter()
-        call()
-        takes = time.perf_counter() - begun
-        # The least of a few: the machine may have other things to do.
+        # The least of a few: the machine may have other things to do, and a first call imports modules.
+        takes = min(timed(call) for _ in range(3))
         assert min(heard(call, 0.2 * takes) for _ in range(3)) < max(0.3 * takes, 0.1)
 
 

@@ -22,7 +22,7 @@ use super::name::spelt_unit;
 /// assert!(Columns::parse("t = time, q xyzw = q0 q1 q2 q3, w body deg/s = gx gy gz").is_ok());
 /// assert!(Columns::parse("euler 3-2-1 deg = psi theta phi, omega = none").is_ok());
 /// let error = Columns::parse("quaternion wzyx = q0 q1 q2 q3").unwrap_err();
-/// assert_eq!(error.to_string(), "\"wzyx\" says nothing of quaternion");
+/// assert_eq!(error.to_string(), "unknown word \"wzyx\" for quaternion");
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Columns {

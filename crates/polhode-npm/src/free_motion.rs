@@ -11,7 +11,7 @@ use serde_json::json;
 
 use crate::outcome::Outcome;
 
-/// JSON schema of a [`Request`].
+/// JSON schema of a request of `free_motion`.
 pub const REQUEST_SCHEMA: &str = include_str!("../schema/free-motion/request.json");
 
 /// JSON schema of the value of an answer.

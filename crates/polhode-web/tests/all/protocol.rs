@@ -109,7 +109,8 @@ fn requests_and_answers_conform() {
             options,
         })
     };
-    let found = ask(&engine, &files, &report(json!({ "about": "(1, 2, 3) mm", "draws": 100 })), "ReportAnswer");
+    let found =
+        ask(&engine, &files, &report(json!({ "about": "(1, 2, 3) mm", "draws": 100 })), "ReportAnswer");
     assert!(found["report"]["html"].as_str().is_some_and(|html| html.contains("frame")));
     let found = ask(&engine, &files, &report(json!({ "about": "here" })), "ReportAnswer");
     assert!(found["error"]["message"].is_string() && found["report"].is_null());

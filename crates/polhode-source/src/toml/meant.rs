@@ -13,8 +13,8 @@ const KEYS: [(&str, &str, &str); 57] = [
     ("pitch", "euler313", ROLL),
     ("xyzw", "quaternion_xyzw", ""),
     ("wxyz", "quaternion", ""),
-    ("rotation_matrix", "matrix", ""),
-    ("dcm", "matrix", ""),
+    ("rotation_matrix", "matrix", MATRIX),
+    ("dcm", "matrix", MATRIX),
     ("height", "altitude", ""),
     ("central_body", "mu", "write mu = \"398600.44 km^3/s^2\", the value of the central body"),
     ("raan", "node", ""),
@@ -83,6 +83,8 @@ const DAMPING_OF_TORQUE: &str = "damping is a [[torque]]: model = \"drag\" with 
 
 const EULER: &str = "write euler313 = [\"30 deg\", \"20 deg\", \"10 deg\"] (about z, x, z), or roll_pitch_yaw = [φ, θ, ψ] (3-2-1: ψ about z, θ about the new y, φ about the new x); convert other sequences to quaternion = [w, x, y, z] or to a matrix";
 const ROLL: &str = "write roll_pitch_yaw = [\"10 deg\", \"20 deg\", \"30 deg\"], 3-2-1: yaw about z, then pitch about the new y, then roll about the new x";
+/// A matrix of another program may have the other sense.
+const MATRIX: &str = "write matrix: rows of three that take body components to space components; transpose a matrix of the other sense";
 const SPIN: &str =
     "write spin = { body = [0, 0, \"12 rad/s\"] }, or spin = { space = [0, 0, \"12 rad/s\"] } in space axes";
 

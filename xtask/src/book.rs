@@ -92,6 +92,12 @@ pub(crate) fn build_in(Environment(python): &Environment) -> Outcome {
     Ok(())
 }
 
+/// Checks the links of a copy of the site.
+pub(crate) fn check_site(site: &Path) -> Outcome {
+    let Environment(python) = environment()?;
+    run(Command::new(python).arg(root().join("book/site/links.py")).arg(site))
+}
+
 fn site() -> Result<PathBuf, String> {
     Ok(build_folder()?.with_file_name("book"))
 }

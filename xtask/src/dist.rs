@@ -70,6 +70,11 @@ pub(crate) fn make(target: Option<&str>) -> Outcome {
     Ok(())
 }
 
+/// Returns the path of the archive that [`make`] has made for a platform.
+pub(crate) fn archive(triple: &str) -> PathBuf {
+    build_folder().join(format!("dist/polhode-{}-{triple}.tar.gz", env!("CARGO_PKG_VERSION")))
+}
+
 /// Checks an archive like that of [`make`], but with a dummy program, to avoid a release build.
 pub(crate) fn check() -> Outcome {
     let program = polhode()?;
@@ -125,8 +130,24 @@ fn subcommands(page: &str) -> Vec<String> {
     named.map(|name| name.replace("\\-", "-")).collect()
 }
 
+/// Variable with the flags of the compiler, separated by the character 0x1F.
+pub(crate) const FLAGS: &str = "CARGO_ENCODED_RUSTFLAGS";
+
 /// Builds the program without paths of this machine in it.
 fn build(target: &str, triple: &str) -> Result<PathBuf, String> {
+    let verb = if target == triple { "build" } else { "zigbuild" };
+    let program = ["--locked", "--package", "polhode-cli", "--bin", "polhode"];
+    let arguments = [&[verb, "--release", "--target", target], &program[..]].concat();
+    run(cargo(&arguments).env(FLAGS, flags(triple)))?;
+    let name = if triple.contains("windows") { "polhode.exe" } else { "polhode" };
+    Ok(build_folder().join(triple).join("release").join(name))
+}
+
+/// Returns the flags of the compiler with which nothing that is built has symbols, or paths of this
+/// machine.
+///
+/// Cargo does not apply `strip = true` of a profile to a package that has its own `opt-level`.
+pub(crate) fn flags(triple: &str) -> String {
     let mut flags: Vec<String> = std::env::var("RUSTFLAGS")
         .map(|flags| flags.split_whitespace().map(str::to_owned).collect())
         .unwrap_or_default();
@@ -135,17 +156,12 @@ fn build(target: &str, triple: &str) -> Result<PathBuf, String> {
     for (from, to) in [(home, "cargo"), (Some(root()), "polhode")] {
         flags.extend(from.map(|from| format!("--remap-path-prefix={}={to}", from.display())));
     }
+    flags.push("-Cstrip=symbols".to_owned());
     if triple.ends_with("-msvc") {
         // The dynamic runtime is missing on some Windows systems.
         flags.push("-Ctarget-feature=+crt-static".to_owned());
     }
-    let verb = if target == triple { "build" } else { "zigbuild" };
-    let arguments =
-        ["--release", "--locked", "--package", "polhode-cli", "--bin", "polhode", "--target", target];
-    let strip = ["--config", "profile.release.strip=true"];
-    run(cargo(&[verb]).args(arguments).args(strip).env("CARGO_ENCODED_RUSTFLAGS", flags.join("\x1f")))?;
-    let name = if triple.contains("windows") { "polhode.exe" } else { "polhode" };
-    Ok(build_folder().join(triple).join("release").join(name))
+    flags.join("\x1f")
 }
 
 /// Returns the build folder of cargo.
@@ -154,7 +170,7 @@ fn build_folder() -> PathBuf {
 }
 
 /// Returns the compiler's host platform.
-fn host() -> Result<String, String> {
+pub(crate) fn host() -> Result<String, String> {
     let said = output(Command::new("rustc").arg("-vV"))?;
     let host = said.lines().find_map(|line| line.strip_prefix("host: "));
     host.map(str::to_owned).ok_or_else(|| "rustc does not say what its host is".to_owned())

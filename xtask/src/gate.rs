@@ -18,7 +18,7 @@ const FIRST: [Step; 7] = [
     ("layers", || layers::check().and_then(|()| arrows::check()).and_then(|()| circles::check())),
     ("prose", prose::check),
     ("licences", dependencies::check),
-    ("packages", packages::check),
+    ("packages", || packages::check(false)),
     ("lints", || {
         let all = ["clippy", "--workspace", "--all-targets", "--locked", "--features", FEATURES];
         process::run(cargo(&all).args(["--", "-D", "warnings"]))
@@ -71,7 +71,7 @@ pub(crate) fn run_nightly() -> Outcome {
     process::NIGHTLY.store(true, Ordering::Relaxed);
     run()?;
     page::build(module::Build::Release)?;
-    viewer::check_page()?;
+    viewer::check_page(&page::path(), &viewer::tested()?)?;
     viewer::check_bits()?;
     npm::release()?;
     let programs = files(&root().join("fuzz/fuzz_targets"), "rs")?;

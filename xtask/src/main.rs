@@ -22,6 +22,8 @@ mod process;
 mod prose;
 mod python;
 mod readme;
+mod release;
+mod sbom;
 mod solutions;
 mod speed;
 mod viewer;
@@ -57,6 +59,8 @@ usage: cargo xtask TASK
   workflows  the workflows of GitHub, as their schema and zizmor read them
   dist       the program for one platform, packed with man pages, completions and examples, into target/dist/; --target for another than
              this machine's own, --check tries the packing without building the program
+  release    all that is uploaded for a release, in target/upload/, from a clean work tree on Linux or macOS: archive, wheel and sdist, npm package, page, site,
+             crates, list of packages, checksums; --check uses each of them where nothing of this project is installed; after `npm ci` in viewer/
   solutions  the worked solutions of examples/, read by pandoc and MathJax; after `npm ci` in viewer/";
 
 fn main() -> ExitCode {
@@ -72,7 +76,7 @@ fn main() -> ExitCode {
         ["licences"] => dependencies::check(),
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),
-        ["packages"] => packages::check(),
+        ["packages"] => packages::check(false),
         ["api"] => api::check(),
         ["api", "--write"] => api::write(),
         ["book"] => book::build(false),
@@ -87,6 +91,8 @@ fn main() -> ExitCode {
         ["dist"] => dist::make(None),
         ["dist", "--target", target] => dist::make(Some(target)),
         ["dist", "--check"] => dist::check(),
+        ["release"] => release::make(),
+        ["release", "--check"] => release::make().and_then(|()| release::check()),
         ["solutions"] => python::environment().and_then(|python| solutions::check(&python.pandoc()?)),
         ["workflows"] => python::environment().and_then(|python| workflows::check(&python)),
         ["help" | "--help" | "-h"] => {

@@ -5,8 +5,8 @@ use std::process::Command;
 
 use crate::module::{self, Build};
 use crate::notices::notices_of;
-use crate::process::{build_folder, output, run, run_beside};
-use crate::viewer::{chromium, npm};
+use crate::process::{output, run, run_beside};
+use crate::viewer::{chromium, npm, tested};
 use crate::{Outcome, root};
 
 /// Largest size of the small module compressed by gzip, bytes.
@@ -15,18 +15,18 @@ const MOST: usize = 400_000;
 /// Builds and packs the package for a release into `target/npm/`, and runs its tests.
 pub(crate) fn release() -> Outcome {
     let package = build(Build::Release)?;
-    test(&package)?;
+    test(&package, &tested()?)?;
     println!("   {}", package.display());
     Ok(())
 }
 
 /// Builds the package quickly, and runs its tests, after the checks of the viewer.
 pub(crate) fn check() -> Outcome {
-    test(&build(Build::Quick)?)
+    test(&build(Build::Quick)?, &tested()?)
 }
 
 /// Builds and packs the package, and returns the path of the archive.
-fn build(build: Build) -> Result<PathBuf, String> {
+pub(crate) fn build(build: Build) -> Result<PathBuf, String> {
     let small = module::build(build, "package", module::SMALL, "npm-small")?;
     if build == Build::Release {
         let size = gzipped(&small)?;
@@ -58,9 +58,8 @@ fn gzipped(file: &Path) -> Result<usize, String> {
     Ok(out.len())
 }
 
-/// Runs the tests of the archive in Node and in a browser, with the command built by the tests.
-fn test(package: &Path) -> Outcome {
-    let command = build_folder()?.join(format!("polhode{}", std::env::consts::EXE_SUFFIX));
+/// Runs the tests of the archive in Node and in a browser, with the answers of a command.
+pub(crate) fn test(package: &Path, command: &Path) -> Outcome {
     let mut tests = Command::new("node");
     tests.args(["--test", "test/node.test.mjs", "test/browser.test.mjs"]).current_dir(root().join("npm"));
     run_beside(tests.env("CHROMIUM", chromium()?).env("POLHODE", command).env("POLHODE_PACKAGE", package))

@@ -18,7 +18,7 @@ const MOST: u64 = 3_000_000;
 pub(crate) fn build(build: Build) -> Outcome {
     let module = module::build(build, "page", "page", "polhode")?;
     let module = packed(&module, build)?;
-    let page = module::folder().join("polhode.html");
+    let page = path();
     let mut viewer = Command::new("node");
     viewer.args(["build.mjs", "--module"]).arg(&module).arg("--page").arg(&page);
     if build == Build::Release {
@@ -32,18 +32,21 @@ pub(crate) fn build(build: Build) -> Outcome {
 /// Builds the page quickly, and runs its tests in a browser.
 pub(crate) fn check() -> Outcome {
     build(Build::Quick)?;
-    viewer::check_page()
+    viewer::check_page(&path(), &viewer::tested()?)
+}
+
+/// Returns the path of the page.
+pub(crate) fn path() -> PathBuf {
+    module::folder().join("polhode.html")
 }
 
 /// Puts the page of a release where the command includes it.
 pub(crate) fn release() -> Outcome {
     build(Build::Release)?;
-    viewer::check_page()?;
+    viewer::check_page(&path(), &viewer::tested()?)?;
     viewer::check_bits()?;
     let committed = root().join("crates/polhode-live/assets/polhode.html");
-    std::fs::copy(module::folder().join("polhode.html"), &committed)
-        .map(|_| ())
-        .map_err(|error| format!("{}: {error}", committed.display()))
+    std::fs::copy(path(), &committed).map(|_| ()).map_err(|error| format!("{}: {error}", committed.display()))
 }
 
 /// Compresses the module as XZ, and returns its new path.
@@ -66,7 +69,7 @@ fn packed(module: &Path, build: Build) -> Result<PathBuf, String> {
 
 /// Checks the size of a release.
 fn size() -> Outcome {
-    let page = module::folder().join("polhode.html");
+    let page = path();
     let length = std::fs::metadata(&page).map_err(|error| format!("{}: {error}", page.display()))?.len();
     if length <= MOST { Ok(()) } else { Err(format!("the page has {length} bytes, more than {MOST}")) }
 }

@@ -2,10 +2,10 @@
 //!
 //! This requires Node, npm and Chromium, unlike a build of the command.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::process::{cargo, output, run, run_beside};
+use crate::process::{build_folder, cargo, output, run, run_beside};
 use crate::{Outcome, module, root};
 
 /// Oldest major version of Node for the build and the tests.
@@ -24,14 +24,16 @@ pub(crate) fn check() -> Outcome {
     run_beside(npm(&["test"]).env("CHROMIUM", chromium))
 }
 
-/// Runs the tests of the interactive page in a browser, with the command built by the tests, after
-/// [`check`]. The page is the one in `target/page/`.
-pub(crate) fn check_page() -> Outcome {
-    let name = format!("polhode{}", std::env::consts::EXE_SUFFIX);
-    let command = root().join("target/debug").join(name);
-    let page = module::folder().join("polhode.html");
+/// Runs the tests of the interactive page in a browser, with the answers of a command, after
+/// [`check`].
+pub(crate) fn check_page(page: &Path, command: &Path) -> Outcome {
     let tests = &mut npm(&["run", "test:page"]);
     run_beside(tests.env("CHROMIUM", chromium()?).env("POLHODE", command).env("POLHODE_PAGE", page))
+}
+
+/// Returns the path of the command as built by the tests.
+pub(crate) fn tested() -> Result<PathBuf, String> {
+    Ok(build_folder()?.join(format!("polhode{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// Compares the bits of 11,000 motions in `target/page/polhode.wasm`, in Node and in a browser, with

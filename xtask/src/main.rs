@@ -11,6 +11,7 @@ mod dist;
 mod engines;
 mod examples;
 mod gate;
+mod installation;
 mod layers;
 mod licence;
 mod module;
@@ -44,7 +45,7 @@ usage: cargo xtask TASK
   prose      wording of comments, messages and book, counted; --list PATTERN, --write takes lower counts over
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
-  readme     the README's commands
+  readme     the README's commands, and the instructions for installation on all pages; --write writes these
   packages   every crate as a package, with licences and nothing from outside
   api        the public names of the core crate, compared with crates/polhode/api.txt; --write takes them over
   book       the book as a site in target/book, its links checked; --open shows it
@@ -56,7 +57,7 @@ usage: cargo xtask TASK
              browser, its motions have the bits of a native build, and the command takes it over; after `npm ci` in viewer/
   npm        the npm package in target/npm/, for a release: its size is checked, and its tests pass in Node and in a browser; after `npm ci` in viewer/
   python     the Python package: its wheel is built, and its tests and examples pass from there
-  workflows  the workflows of GitHub, as their schema and zizmor read them
+  workflows  the workflows and the action of GitHub, and the job for GitLab, as their schemas and zizmor read them
   dist       the program for one platform, packed with man pages, completions and examples, into target/dist/; --target for another than
              this machine's own, --check tries the packing without building the program
   release    all that is uploaded for a release, in target/upload/, from a clean work tree on Linux or macOS: archive, wheel and sdist, npm package, page, site,
@@ -76,6 +77,7 @@ fn main() -> ExitCode {
         ["licences"] => dependencies::check(),
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),
+        ["readme", "--write"] => installation::write(),
         ["packages"] => packages::check(false),
         ["api"] => api::check(),
         ["api", "--write"] => api::write(),

@@ -4,11 +4,12 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::process::{copy, empty_folder, output, polhode};
-use crate::{Outcome, read, root};
+use crate::{Outcome, installation, read, root};
 
 /// Runs every `polhode` command of the README and of `book/start.md` in a copy of examples/.
 /// `cargo run` is replaced by the built command.
 pub(crate) fn check() -> Outcome {
+    installation::check()?;
     let start = read(&root().join("book/start.md"))?;
     programs_are_tested(&start, &read(&root().join("crates/polhode/README.md"))?)?;
     let first_steps = commands(&start);

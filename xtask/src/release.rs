@@ -7,10 +7,13 @@ mod check;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Instant;
 
 use crate::archive::sha256_line;
 use crate::process::{build_folder, copy, output, run};
-use crate::{Outcome, book, dist, files, module, npm, packages, page, python, read, root, sbom};
+use crate::{
+    Outcome, book, dist, files, installation, module, npm, packages, page, python, read, root, sbom,
+};
 
 pub(crate) use check::check;
 
@@ -74,7 +77,9 @@ fn compiled(folder: &Path) -> Outcome {
     let is_glibc = triple.ends_with("linux-gnu");
     let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
     let target = if is_glibc { format!("{triple}{GLIBC}") } else { triple.clone() };
+    let begun = Instant::now();
     run(Command::new(this).args(["dist", "--target", &target]).env("PATH", &path))?;
+    installation::check_build_time(begun.elapsed().as_secs_f64())?;
     take(&[dist::archive(&triple)], folder)?;
     let mut maturin = Command::new(python.with_file_name("maturin"));
     maturin.args(["build", "--release", "--locked", "--target", &triple, "--out"]).arg(folder);

@@ -35,6 +35,10 @@ pub(crate) fn check() -> Outcome {
     let commands = answers.iter().map(|answer| first_answer(answer, &folder));
     let places = commands.collect::<Result<Vec<_>, _>>()?;
     wheel(&one(&folder, ".whl")?)?;
+    run(Command::new("python3")
+        .arg(root().join("integrations/try.py"))
+        .arg(one(&folder, ".whl")?)
+        .arg(&archive))?;
     sdist(&folder)?;
     let command = one(&places[0], "/polhode")?;
     npm::test(&one(&folder, ".tgz")?, &command)?;

@@ -67,6 +67,7 @@ use polhode_source::file;
 use polhode_source::files::{Disk, Files};
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
+use polhode_source::toml::symbols::Symbols;
 use polhode_source::toml::tree::Entries;
 use polhode_source::{FormatError, FormatErrorKind, Place};
 
@@ -85,8 +86,9 @@ pub use target::{Target, TargetColumn};
 pub use template::Template;
 
 /// Top-level keys of the file.
-pub const TOP: [&str; 16] = [
+pub const TOP: [&str; 17] = [
     "title",
+    "symbols",
     "body",
     "orbit",
     "start",
@@ -277,7 +279,8 @@ fn file_of_root(
 
 /// Returns the scenario of a file with the tables `entries`, and the places of its torques.
 fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<TorquePlaces>), FormatError> {
-    let root = Table::root(source, entries);
+    let symbols = Symbols::read(&Table::root(source, entries))?;
+    let root = Table::root(Source { symbols: Some(&symbols), ..source }, entries);
     root.allow(&TOP)?;
     for (a, b, why) in Scenario::EXCLUSIVE {
         root.at_most_one(&[a, b], why)?;
@@ -360,6 +363,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     scenario = gimbals::gimbals(&root, scenario, pivot.as_ref().map(|pivot| pivot.value))?;
     scenario = shaft::shaft(&root, &start, scenario)?;
     scenario = pendulum::pendulum(&root, scenario.noting(findings))?;
+    symbols.require_used(&root)?;
     let noticed = scenario.check();
     let scenario = scenario.noting(noticed).noting(shared.and_then(|shared| shared.underground()));
     Ok((scenario, torques.places))

@@ -122,6 +122,11 @@ pub fn measured(
     parse::compile_measured(text, variables, expected)
 }
 
+/// Returns true for a name that formulas have already: a function, an operator, or pi.
+pub(crate) fn is_reserved(name: &str) -> bool {
+    ["pi", "and", "or"].contains(&name) || function::FUNCTIONS.iter().any(|f| f.name == name)
+}
+
 /// Parses a condition of dimensional variables; its formula is 1 if the condition holds, else 0.
 ///
 /// ```

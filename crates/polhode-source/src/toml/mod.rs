@@ -7,6 +7,7 @@ mod meant;
 pub mod reader;
 mod rotation;
 pub mod source;
+pub mod symbols;
 mod text;
 pub mod tree;
 

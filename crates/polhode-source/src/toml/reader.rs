@@ -402,7 +402,27 @@ impl<'a> Value<'a> {
     /// Returns a quantity in SI units, from a number or a string with a unit.
     pub fn quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {
         self.asks(|| What::Quantity(dimension));
-        self.varying(dimension, || self.written_quantity(dimension))
+        match (&self.value.kind, self.source.symbols) {
+            // Not cached, because its value changes with the symbols.
+            (Kind::Text(text), Some(symbols)) if symbols.is_formula(text) => {
+                symbols.evaluate(text, dimension).map_err(|error| self.formula(error))
+            }
+            _ => self.varying(dimension, || self.written_quantity(dimension)),
+        }
+    }
+
+    /// Returns a quantity of any dimension in SI units, with its dimension.
+    pub fn any_quantity(&self) -> Result<(f64, Dimension), FormatError> {
+        // A replaced quantity keeps its dimension.
+        let text = match &self.value.kind {
+            Kind::Replaced(_) => {
+                self.source.text.get(self.span()).unwrap_or_default().trim_matches(['"', '\''])
+            }
+            Kind::Text(text) => text,
+            _ => "1",
+        };
+        let (_, dimension) = unit::measured(text).map_err(|e| self.error(FormatErrorKind::Unit(e)))?;
+        self.quantity(dimension).map(|value| (value, dimension))
     }
 
     fn written_quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {

@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::asked::Asked;
+use super::symbols::Symbols;
 use super::tree::{Kind, Node, Replacement};
 use crate::expression::ExpressionError;
 use crate::files::Files;
@@ -29,6 +30,8 @@ pub struct Source<'a> {
     /// Contents of a file that the text may name, if the caller has read it. The reader of the file
     /// knows the type.
     pub kept: Option<&'a (dyn Any + Send + Sync)>,
+    /// Symbols that formulas in place of quantities may contain.
+    pub symbols: Option<&'a Symbols>,
     /// Top-level keys that are tables; messages say how to write them.
     pub headings: &'a [&'static str],
     /// Cancellation check, called repeatedly during long computations.
@@ -67,6 +70,7 @@ impl<'a> Source<'a> {
             is_shown: true,
             asked: None,
             kept: None,
+            symbols: None,
             headings: &[],
             watch: Watch(&|| true),
         }

@@ -156,6 +156,10 @@ pub struct Entry {
 /// path.
 pub fn replace(entries: &mut Entries, way: &[Step], replacement: Replacement) {
     let Some((Step::Key(key), mut rest)) = way.split_first() else { return };
+    if key.as_ref() == "symbols" {
+        // Any value may be a formula with the symbol.
+        entries.values_mut().for_each(|entry| forget(&mut entry.node));
+    }
     let Some(entry) = entries.get_mut(key) else { return };
     let mut node = Arc::make_mut(&mut entry.node);
     loop {
@@ -170,6 +174,17 @@ pub fn replace(entries: &mut Entries, way: &[Step], replacement: Replacement) {
         (node, rest) = (Arc::make_mut(inside), further);
     }
     node.kind = Kind::Replaced(replacement);
+}
+
+/// Clears the caches of a node and of all nodes below it.
+fn forget(node: &mut Arc<Node>) {
+    let node = Arc::make_mut(node);
+    node.known = OnceLock::new();
+    match &mut node.kind {
+        Kind::Table(entries) => entries.values_mut().for_each(|entry| forget(&mut entry.node)),
+        Kind::List(elements) => elements.iter_mut().for_each(forget),
+        _ => {}
+    }
 }
 
 /// Parses a document into a tree.
@@ -202,9 +217,19 @@ fn node(value: &Spanned<DeValue<'_>>) -> Arc<Node> {
 /// Keys that do not affect how the file named in the same table is read.
 const APART: [&str; 6] = ["position", "rotate", "density", "mass", "material", "on"];
 
-/// Copies to a tree the files that another tree has read, for tables with the same content. These
-/// files are not read again.
+/// Copies to a document the files that another one has read, for tables with the same content.
+/// These files are not read again, unless the symbols have changed.
 pub fn adopt(entries: &mut Entries, from: &Entries) {
+    let is_alike = match [&*entries, from].map(|entries| entries.get("symbols")) {
+        [Some(mine), Some(theirs)] => same(&mine.node, &theirs.node),
+        [mine, theirs] => mine.is_none() && theirs.is_none(),
+    };
+    if is_alike {
+        adopt_table(entries, from);
+    }
+}
+
+fn adopt_table(entries: &mut Entries, from: &Entries) {
     let telling = |entries: &Entries| -> Vec<(Arc<str>, Arc<Node>)> {
         let told = entries.iter().filter(|(key, _)| !APART.contains(&key.as_ref()));
         told.map(|(key, entry)| (key.clone(), entry.node.clone())).collect()
@@ -225,7 +250,7 @@ pub fn adopt(entries: &mut Entries, from: &Entries) {
 
 fn adopt_node(node: &mut Arc<Node>, from: &Node) {
     match (&mut Arc::make_mut(node).kind, &from.kind) {
-        (Kind::Table(entries), Kind::Table(from)) => adopt(entries, from),
+        (Kind::Table(entries), Kind::Table(from)) => adopt_table(entries, from),
         (Kind::List(elements), Kind::List(from)) => {
             elements.iter_mut().zip(from).for_each(|(element, from)| adopt_node(element, from));
         }

@@ -77,6 +77,8 @@ class Scenario:
         Lists of tables of :mod:`polhode.scenario`.
     title
         Title of the scenario.
+    symbols
+        Quantities by name, such as ``{"b": "0.3 m"}``, for formulas in place of quantities: ``"b/2"``.
     folder
         Folder of the files to which the scenario refers. The default is the current folder.
 
@@ -122,6 +124,7 @@ class Scenario:
         pendulum: Pendulum | None = None,
         run: Run | None = None,
         title: str | None = None,
+        symbols: Mapping[str, float | str] | None = None,
         folder: str | os.PathLike[str] = ".",
     ) -> None:
         one = {
@@ -137,6 +140,7 @@ class Scenario:
         }
         several = {"torques": torques, "wheels": wheels, "events": events, "pointings": pointings}
         self._title = None if title is None else _arrays.text("title", title)
+        self._symbols = {name: _section.plain(f"symbols[{name!r}]", value) for name, value in (symbols or {}).items()}
         self._parts = _parts_of(body)
         self._pivot = None if pivot is None else _section.plain("pivot", pivot)
         self._one = {name: _section.section(name, value, _ONE[name][1]) for name, value in one.items() if value is not None}
@@ -184,7 +188,7 @@ class Scenario:
 
         ``functions`` are the torques and events that cannot be written into a file, by table and index.
         """
-        known = {"title", "body", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
+        known = {"title", "symbols", "body", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
         other = [key for key in tables if key not in known]
         if other:
             hint = "polhode.batch.Plan reads plans" if other == ["sweep"] else None
@@ -197,7 +201,7 @@ class Scenario:
             given[name] = [functions.get((key, k)) or kind.from_dict(table) for k, table in enumerate(tables.get(key, ()))]
         body = tables["body"]
         parts = [Part.from_dict(part) for part in body["part"]]
-        return cls(parts, pivot=body.get("pivot"), title=tables.get("title"), folder=folder, **given)
+        return cls(parts, pivot=body.get("pivot"), title=tables.get("title"), symbols=tables.get("symbols"), folder=folder, **given)
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
         """Returns the text of the scenario's file.
@@ -234,6 +238,11 @@ class Scenario:
     def title(self) -> str | None:
         """Title of the scenario."""
         return self._title
+
+    @property
+    def symbols(self) -> dict[str, float | str]:
+        """Quantities by name, for formulas in place of quantities."""
+        return dict(self._symbols)
 
     @property
     def folder(self) -> str:
@@ -338,7 +347,7 @@ class Scenario:
         PolhodeError
             If the new motion is invalid.
         """
-        given: dict[str, Any] = {**self._one, **self._several, "pivot": self._pivot, "title": self._title, "folder": self._folder}
+        given: dict[str, Any] = {**self._one, **self._several, "pivot": self._pivot, "title": self._title, "symbols": self._symbols, "folder": self._folder}
         return Scenario(changes.pop("body", list(self._parts)), **{**given, **changes})
 
     def _tables(self) -> dict[str, Any]:
@@ -346,6 +355,8 @@ class Scenario:
         tables: dict[str, Any] = {}
         if self._title is not None:
             tables["title"] = self._title
+        if self._symbols:
+            tables["symbols"] = {name: _section.written(value) for name, value in self._symbols.items()}
         pivot = {} if self._pivot is None else {"pivot": _section.written(self._pivot)}
         tables["body"] = {**pivot, "part": [part.to_dict() for part in self._parts]}
         for name in ("orbit", "start"):

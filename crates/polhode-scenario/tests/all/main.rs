@@ -30,6 +30,7 @@ mod page_scene;
 mod prescribed;
 mod scenario;
 mod schema;
+mod symbols;
 mod tables;
 mod torque_formula;
 mod torque_table;

@@ -23,13 +23,14 @@ const shared = { bundle: true, platform: "node", target: "node20", minify: true,
 const alias = { polhode: `${module}/index.js`, "scenario.schema.json": `${dist}/scenario.schema.json` };
 await build({ ...shared, alias, entryPoints: [`${here}/src/extension.ts`], outfile: `${dist}/extension.js`, format: "cjs", external: ["vscode"] });
 await build({ ...shared, alias, entryPoints: [`${here}/src/worker.ts`], outfile: `${dist}/worker.mjs`, format: "esm" });
-rmSync(`${dist}/scenario.schema.json`);
 for (const name of ["polhode.wasm", "polhode_full.wasm", "THIRD-PARTY-LICENSES.txt"]) copyFileSync(`${module}/${name}`, `${dist}/${name}`);
 
 if (given.check || given.package) node("typescript/bin/tsc", "--project", here);
 if (given.package) {
   copyFileSync(`${root}/LICENSE-MIT`, `${here}/LICENSE.txt`);
-  node("@vscode/vsce/vsce", "package", "--no-dependencies", "--out", `${here}/polhode.vsix`);
+  const pages = "https://github.com/polhode/polhode";
+  const links = ["--baseContentUrl", `${pages}/blob/main/integrations/vscode`, "--baseImagesUrl", `${pages}/raw/main/integrations/vscode`];
+  node("@vscode/vsce/vsce", "package", "--no-dependencies", "--out", `${here}/polhode.vsix`, ...links);
   const { size } = statSync(`${here}/polhode.vsix`);
   console.log(`polhode.vsix: ${(size / 1e6).toFixed(1)} MB`);
   if (size > MOST) throw new Error(`polhode.vsix has ${size} bytes, more than ${MOST}`);

@@ -13,7 +13,7 @@ export function advise(checker: Checker): Disposable[] {
   const hover = (document: TextDocument, position: Position): Hover | null => {
     const parts = checker.at(document, new Range(position, position)).map((problem) => describe(problem, document));
     const key = isScenario(document) ? describeKey(document.getText(), document.offsetAt(position)) : null;
-    if (key !== null) parts.push(new MarkdownString().appendText(key));
+    if (key !== null) parts.push(new MarkdownString(key));
     return parts.length > 0 ? new Hover(parts) : null;
   };
   const actions = (document: TextDocument, range: Range): CodeAction[] =>
@@ -29,7 +29,7 @@ export function advise(checker: Checker): Disposable[] {
     if (!isScenario(document)) return [];
     const [text, at] = [document.getText(), document.offsetAt(position)];
     const found = complete(text, at);
-    const range = found && new Range(document.positionAt(found.from), position);
+    const range = found && new Range(document.positionAt(found.from), document.positionAt(found.to));
     const hasValue = /^[\w-]*\s*=/.test(text.slice(at, text.indexOf("\n", at) >>> 0));
     return (found?.items ?? []).map(({ text, detail, isKey }) => {
       const item = new CompletionItem(text, isKey ? CompletionItemKind.Property : CompletionItemKind.Value);
@@ -43,7 +43,7 @@ export function advise(checker: Checker): Disposable[] {
   return [
     languages.registerHoverProvider(SELECTOR, { provideHover: hover }),
     languages.registerCodeActionsProvider(SELECTOR, { provideCodeActions: actions }, { providedCodeActionKinds: [CodeActionKind.QuickFix] }),
-    languages.registerCompletionItemProvider(SELECTOR, { provideCompletionItems: completions }, "[", '"', "=", " "),
+    languages.registerCompletionItemProvider(SELECTOR, { provideCompletionItems: completions }, "[", '"', "=", "{"),
   ];
 }
 
@@ -51,18 +51,13 @@ function isScenario(document: TextDocument): boolean {
   return kindOf(document.uri.path, document.getText()) === "scenario";
 }
 
-/** Returns the finding with its value, rule, reason and fix. */
-function describe({ code, severity, message, rule, why, fix, range }: Located, document: TextDocument): MarkdownString {
-  const text = new MarkdownString(`**[${code}](${pageOf(code)})** (${severity === "impossible" && rule === null ? "error" : severity}) `);
-  text.appendText(message.split("\nhint: ", 1)[0]!);
-  const add = (label: string, words: string | null): void => {
-    if (words !== null && words !== "") text.appendMarkdown(`\n\n**${label}:** `).appendText(words);
-  };
-  add("Value", document.getText(range));
-  add("Rule", rule);
-  add("Reason", why);
-  add("Fix", fix);
-  return text;
+/** Returns value, rule, fix and reason of a finding; the editor shows its message above. */
+function describe({ code, severity, rule, why, fix, range }: Located, document: TextDocument): MarkdownString {
+  const lines = [`**[${code}](${pageOf(code)})** (${severity === "impossible" && rule === null ? "error" : severity})`];
+  for (const [label, words] of Object.entries({ Value: document.getText(range), Rule: rule, Fix: fix, Reason: why })) {
+    if (words) lines.push(`**${label}:** ${words.replace(/[\\`*_{}[\]()#+\-!~<>|&]/g, "\\$&")}`);
+  }
+  return new MarkdownString(lines.join("  \n"));
 }
 
 /** Returns the edit of a fix; null if the module states none, or the document has another text at its places. */

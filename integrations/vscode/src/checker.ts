@@ -1,7 +1,7 @@
 /** Checks of open documents, and their diagnostics. */
 import { Diagnostic, type DiagnosticCollection, DiagnosticSeverity, type Disposable, languages, Range, type TextDocument, Uri, workspace } from "vscode";
 import type { Checked } from "polhode";
-import { gather, type Gathered } from "./files";
+import { gather, type Gathered, textOf } from "./files";
 import { kindOf } from "./kind";
 import type { Outcome, Pool } from "./pool";
 import { ofFailures, ofReport, type Problem, remark, span } from "./problem";
@@ -27,6 +27,7 @@ interface State {
   started: number;
 }
 
+/** Severities of diagnostics. */
 const SEVERITIES = { impossible: DiagnosticSeverity.Error, suspect: DiagnosticSeverity.Warning, note: DiagnosticSeverity.Information };
 
 export class Checker implements Disposable {
@@ -39,9 +40,10 @@ export class Checker implements Disposable {
 
   /** Checks a document soon, if it is a model or a scenario. */
   schedule(document: TextDocument, delay = TYPED): void {
-    const state = this.#states.get(document.uri.toString());
-    clearTimeout(state?.timer);
-    if (!isChecked(document)) return this.forget(document);
+    // Other views, as of Git, have documents too.
+    const isFile = ["file", "untitled"].includes(document.uri.scheme) || workspace.getWorkspaceFolder(document.uri) !== undefined;
+    if (!isFile || kindOf(document.uri.path, document.getText()) === null) return this.forget(document.uri.toString());
+    clearTimeout(this.#state(document).timer);
     this.#state(document).timer = setTimeout(() => void this.check(document), delay);
   }
 
@@ -51,8 +53,7 @@ export class Checker implements Disposable {
     if (kind === null) return null;
     const state = this.#state(document);
     clearTimeout(state.timer);
-    const number = (state.started += 1);
-    const { version } = document;
+    const [number, version] = [(state.started += 1), document.version];
     const gathered = await gather(document, kind);
     const isCurrent = () => state.started === number && document.version === version && this.#states.get(document.uri.toString()) === state;
     if (!isCurrent()) return null;
@@ -63,19 +64,20 @@ export class Checker implements Disposable {
     const request = kind === "robot" ? { files, inputs: [name], root: [""], for: programs, today } : { files, inputs: [name] };
     const outcome = await this.#pool.ask<Checked>(document.uri.toString(), kind === "robot" ? "check" : "inertia", request, limit);
     if (!isCurrent() || ("ended" in outcome && outcome.ended === "superseded")) return null;
-    state.located = await located(problems(outcome, gathered, kind === "robot" ? "model" : "scenario", limit), gathered, document);
+    const found = await located(problems(outcome, gathered, kind === "robot" ? "model" : "scenario", limit), gathered, document);
+    if (!isCurrent()) return null;
+    state.located = found;
     show(state);
     return state.located;
   }
 
   /** Removes the diagnostics of a document. */
-  forget(document: TextDocument): void {
-    const state = this.#states.get(document.uri.toString());
-    if (!state) return;
-    clearTimeout(state.timer);
-    state.shown.dispose();
-    this.#states.delete(document.uri.toString());
-    this.#pool.end(document.uri.toString());
+  forget(key: string): void {
+    const state = this.#states.get(key);
+    clearTimeout(state?.timer);
+    state?.shown.dispose();
+    this.#states.delete(key);
+    this.#pool.end(key);
   }
 
   /** Returns the problems in a range of a document, of its present text. */
@@ -86,11 +88,7 @@ export class Checker implements Disposable {
   }
 
   dispose(): void {
-    for (const { shown, timer } of this.#states.values()) {
-      clearTimeout(timer);
-      shown.dispose();
-    }
-    this.#states.clear();
+    for (const key of this.#states.keys()) this.forget(key);
   }
 
   #state(document: TextDocument): State {
@@ -101,17 +99,10 @@ export class Checker implements Disposable {
   }
 }
 
-/** Returns true for a file in an editor; other views, as of Git, have documents too. */
-function isChecked(document: TextDocument): boolean {
-  const isFile = ["file", "untitled"].includes(document.uri.scheme) || workspace.getWorkspaceFolder(document.uri) !== undefined;
-  return isFile && kindOf(document.uri.path, document.getText()) !== null;
-}
-
 function problems(outcome: Outcome<Checked>, { name, left }: Gathered, code: string, limit: number): Problem[] {
   const remarks = left.map((text) => remark(name, text));
   if ("ended" in outcome) {
-    const fix = "raise the setting polhode.timeLimit, or use the command line: polhode check";
-    return [{ ...remark(name, `not checked: the check takes longer than ${limit} s; ${fix}`), severity: "suspect" }];
+    return [{ ...remark(name, `not checked: the check takes longer than ${limit} s; raise the setting polhode.timeLimit, or run polhode check`), severity: "suspect" }];
   }
   if ("failures" in outcome) return [...ofFailures(outcome.failures, name, code), ...remarks];
   if (code === "scenario") return remarks;
@@ -119,23 +110,17 @@ function problems(outcome: Outcome<Checked>, { name, left }: Gathered, code: str
 }
 
 async function located(problems: Problem[], { addresses, name }: Gathered, document: TextDocument): Promise<Located[]> {
-  const lines = new Map<string, readonly string[]>();
-  const places: Located[] = [];
+  const [lines, places] = [new Map<string, string[]>(), new Array<Located>()];
   for (const problem of problems) {
-    const known = addresses.get(problem.file ?? name);
-    const file = known ? (problem.file ?? name) : name;
-    const address = known ?? document.uri;
+    const known = addresses.get(problem.file);
+    const [file, address] = known ? [problem.file, known] : [name, document.uri];
     const open = workspace.textDocuments.find(({ uri }) => uri.toString() === address.toString());
-    if (!lines.has(file)) lines.set(file, (open?.getText() ?? (await text(address))).split(/\r?\n/));
+    if (!lines.has(file)) lines.set(file, (await textOf(address)).split(/\r?\n/));
     const line = Math.min(known ? problem.line : 1, lines.get(file)!.length) - 1;
     const [start, end] = span(lines.get(file)![line]!, problem.column, problem.length);
     places.push({ ...problem, address, range: new Range(line, start, line, end), version: open?.version ?? null });
   }
   return places;
-}
-
-async function text(address: Uri): Promise<string> {
-  return new TextDecoder().decode(await workspace.fs.readFile(address));
 }
 
 function show({ shown, located }: State): void {

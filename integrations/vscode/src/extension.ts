@@ -3,7 +3,7 @@ import { commands, EventEmitter, type ExtensionContext, languages, ProgressLocat
 import { advise } from "./advice";
 import { Checker } from "./checker";
 import { gather } from "./files";
-import { kindOf } from "./kind";
+import { type Kind, kindOf } from "./kind";
 import { Pool } from "./pool";
 
 /** Time limit of a worked solution, s; it can be cancelled. */
@@ -22,27 +22,26 @@ export function activate(context: ExtensionContext): void {
     workspace.onDidChangeTextDocument(({ document }) => checker.schedule(document)),
     // A saved file may be named by others: a policy, a mesh, an included model.
     workspace.onDidSaveTextDocument(checkAll),
-    workspace.onDidCloseTextDocument((document) => checker.forget(document)),
+    workspace.onDidCloseTextDocument((document) => checker.forget(document.uri.toString())),
     workspace.onDidChangeConfiguration((change) => change.affectsConfiguration("polhode") && checkAll()),
     workspace.registerTextDocumentContentProvider("polhode", solutions),
-    commands.registerCommand("polhode.check", () => withDocument((document) => checkNow(checker, document))),
-    commands.registerCommand("polhode.explain", () => withDocument((document) => solutions.show(document))),
+    commands.registerCommand("polhode.check", () => withDocument(["robot", "scenario"], (document, name) => checkNow(checker, document, name))),
+    commands.registerCommand("polhode.explain", () => withDocument(["scenario"], (document, name) => solutions.show(document, name))),
   );
   checkAll();
 }
 
-async function withDocument(use: (document: TextDocument) => Promise<void>): Promise<void> {
+/** Uses the document of the active editor, if it has one of the kinds. */
+async function withDocument(kinds: Kind[], use: (document: TextDocument, name: string) => Promise<void>): Promise<void> {
   const document = window.activeTextEditor?.document;
-  if (document) await use(document);
-  else void window.showErrorMessage("polhode: no file is open in the editor; open a model or a scenario");
+  const kind = document ? kindOf(document.uri.path, document.getText()) : null;
+  const what = `${kinds.includes("robot") ? "a robot model (URDF, SDF, MJCF) or " : ""}a scenario, a TOML file with [[body.part]]`;
+  if (!document) void window.showErrorMessage(`polhode: no file is open in the editor; open ${what}`);
+  else if (kind === null || !kinds.includes(kind)) void window.showErrorMessage(`polhode: ${workspace.asRelativePath(document.uri)} is not ${what}`);
+  else await use(document, workspace.asRelativePath(document.uri));
 }
 
-async function checkNow(checker: Checker, document: TextDocument): Promise<void> {
-  const name = workspace.asRelativePath(document.uri);
-  if (kindOf(document.uri.path, document.getText()) === null) {
-    void window.showErrorMessage(`polhode: ${name} is not a robot model (URDF, SDF, MJCF) and not a scenario (TOML with [[body.part]])`);
-    return;
-  }
+async function checkNow(checker: Checker, document: TextDocument, name: string): Promise<void> {
   const found = await window.withProgress({ location: ProgressLocation.Window, title: `polhode: checking ${name}` }, () => checker.check(document));
   // A newer check shows its own result.
   if (found === null) return;
@@ -65,12 +64,7 @@ class Solutions {
     return this.#texts.get(address.toString()) ?? "This worked solution is not available any more; run \"Explain This Scenario\" again.";
   }
 
-  async show(document: TextDocument): Promise<void> {
-    const name = workspace.asRelativePath(document.uri);
-    if (kindOf(document.uri.path, document.getText()) !== "scenario") {
-      void window.showErrorMessage(`polhode: ${name} is not a scenario, a TOML file with [[body.part]]`);
-      return;
-    }
+  async show(document: TextDocument, name: string): Promise<void> {
     const owner = `explain ${document.uri.toString()}`;
     const progress = { location: ProgressLocation.Notification, title: `polhode: explaining ${name}`, cancellable: true };
     const outcome = await window.withProgress(progress, async (_, cancelled) => {
@@ -79,16 +73,13 @@ class Solutions {
       const { [own]: scenario, ...files } = contents;
       return this.#pool.ask<string>(owner, "explain", { scenario, files }, SOLUTION);
     });
-    if ("value" in outcome) await this.#preview(document.uri, outcome.value);
-    else if ("failures" in outcome) void window.showErrorMessage(`polhode: ${outcome.failures.map(({ text }) => text.split("\n", 1)[0]).join("; ")}`);
-    else if (outcome.ended === "late") void window.showErrorMessage(`polhode: the worked solution takes longer than ${SOLUTION} s; use polhode explain`);
-  }
-
-  async #preview(source: Uri, text: string): Promise<void> {
-    const address = Uri.from({ scheme: "polhode", path: `${source.path.replace(/\.toml$/i, "")} (solution).md`, query: source.toString() });
-    this.#texts.set(address.toString(), text);
-    this.#changed.fire(address);
-    const document = await languages.setTextDocumentLanguage(await workspace.openTextDocument(address), "markdown");
-    await commands.executeCommand("markdown.showPreview", document.uri);
+    if ("failures" in outcome) void window.showErrorMessage(`polhode: ${outcome.failures.map(({ text }) => text.split("\n", 1)[0]).join("; ")}`);
+    else if ("value" in outcome) {
+      const address = Uri.from({ scheme: "polhode", path: `${document.uri.path.replace(/\.toml$/i, "")} (solution).md`, query: document.uri.toString() });
+      this.#texts.set(address.toString(), outcome.value);
+      this.#changed.fire(address);
+      await languages.setTextDocumentLanguage(await workspace.openTextDocument(address), "markdown");
+      await commands.executeCommand("markdown.showPreview", address);
+    } else if (outcome.ended === "late") void window.showErrorMessage(`polhode: the worked solution takes longer than ${SOLUTION} s; use polhode explain`);
   }
 }

@@ -1,5 +1,5 @@
 /** Files of a request: the document, and the files that it names. */
-import { FileType, type TextDocument, Uri, workspace } from "vscode";
+import { type FileStat, FileType, type TextDocument, Uri, workspace } from "vscode";
 import type { Kind } from "./kind";
 import { foldersIn, namesIn, plain } from "./references";
 
@@ -36,32 +36,26 @@ export async function gather(document: TextDocument, kind: Kind): Promise<Gather
     gathered.addresses.set("polhode.toml", policy);
   }
   const packages = new Map<string, Promise<Uri[]>>();
-  const known = (name: string, where: keyof typeof FOLDERS): Promise<Uri[]> => {
-    const key = `${where} ${name}`;
-    const found = packages.get(key) ?? FOLDERS[where](name, document.uri).catch((problem) => (gathered.left.push(`packages are not searched: ${String(problem)}`), []));
-    packages.set(key, found);
-    return found;
-  };
   let size = 0;
 
   const add = async (file: string, address: Uri): Promise<boolean> => {
     const other = gathered.addresses.get(file);
     if (other) {
-      if (other.toString() !== address.toString() && (await sizeOf(address)) !== null) gathered.left.push(`${address.fsPath} is not read: another file has its name, ${file}`);
+      if (other.toString() !== address.toString() && (await look(address)) !== null) gathered.left.push(`${address.fsPath} is not read: another file has its name, ${file}`);
       return true;
     }
-    const bytes = await sizeOf(address);
-    if (bytes === null) return false;
-    if (size + bytes > MOST_BYTES || gathered.addresses.size >= MOST_FILES) {
+    const stat = await look(address);
+    if (stat === null || !(stat.type & FileType.File)) return false;
+    if (size + stat.size > MOST_BYTES || gathered.addresses.size >= MOST_FILES) {
       gathered.left.push(`${file} is not read: the files of this document have more than ${MOST_BYTES >> 20} MiB, or are more than ${MOST_FILES}`);
       return true;
     }
     const content = await read(address);
     if (content === null) return false;
-    size += bytes;
+    size += stat.size;
     gathered.contents[file] = content;
     gathered.addresses.set(file, address);
-    if (NAMING.test(file)) await follow(typeof content === "string" ? content : new TextDecoder().decode(content), file, address);
+    if (NAMING.test(file)) await follow(await textOf(address), file, address);
     return true;
   };
 
@@ -71,9 +65,11 @@ export async function gather(document: TextDocument, kind: Kind): Promise<Gather
     for (const reference of namesIn(text)) {
       const [, inPackage, rest = ""] = /^(?:package|model):\/\/\/?([^/]+)\/?(.*)$/.exec(reference) ?? [];
       if (inPackage !== undefined) {
-        const isIn = (root: Uri) => (rest === "" ? addModel(inPackage, root) : add(plain(`${inPackage}/${rest}`), Uri.joinPath(root, rest)));
-        const isInOne = async (roots: Uri[]): Promise<boolean> => roots.length > 0 && ((await isIn(roots[0]!)) || isInOne(roots.slice(1)));
-        if (!(await isInOne(await known(inPackage, "near")))) await isInOne(await known(inPackage, "far"));
+        const roots = packages.get(inPackage) ?? packagesOf(inPackage, document.uri, gathered.left);
+        packages.set(inPackage, roots);
+        for (const root of await roots) {
+          if (rest === "" ? await addModel(inPackage, root) : await add(plain(`${inPackage}/${rest}`), Uri.joinPath(root, rest))) break;
+        }
       } else if (!reference.includes("://") && !reference.startsWith("/")) {
         for (const within of ["", ...inner]) {
           for (const [start, at] of starts) await add(plain(`${start}/${within}/${reference}`), Uri.joinPath(at, within, reference));
@@ -93,44 +89,37 @@ export async function gather(document: TextDocument, kind: Kind): Promise<Gather
   return gathered;
 }
 
-/** Returns the folders that may be a package: in the roots of the settings, and around the document. */
-async function near(name: string, from: Uri): Promise<Uri[]> {
+/** Returns the folders of a package: in the roots of the settings and around the document; otherwise in the workspace. */
+async function packagesOf(name: string, from: Uri, left: string[]): Promise<Uri[]> {
+  const isNamed = ({ path }: Uri) => path.split("/").at(-1) === name;
   const here = workspace.getWorkspaceFolder(from)?.uri ?? Uri.joinPath(from, "..");
   const roots = workspace.getConfiguration("polhode", from).get<string[]>("roots", []);
   const given = roots.map((root) => (/^(\/|[A-Za-z]:)/.test(root) ? here.with({ path: Uri.file(root).path }) : Uri.joinPath(here, root)));
-  const around: Uri[] = [];
+  const near = [];
+  for (const folder of [...given.map((root) => Uri.joinPath(root, name)), ...given.filter(isNamed)]) if ((await look(folder)) !== null) near.push(folder);
   for (let at = Uri.joinPath(from, ".."); at.path.length > 1; at = Uri.joinPath(at, "..")) {
-    const manifest = await read(Uri.joinPath(at, "package.xml"));
-    const stated = /<name>\s*([^<\s]+)\s*<\/name>/.exec(typeof manifest === "string" ? manifest : new TextDecoder().decode(manifest ?? undefined))?.[1];
-    if (stated === name || at.path.split("/").at(-1) === name) around.push(at);
+    const stated = /<name>\s*([^<\s]+)\s*<\/name>/.exec(await textOf(Uri.joinPath(at, "package.xml")))?.[1];
+    if (stated === name || isNamed(at)) near.push(at);
   }
-  return [...given.flatMap((root) => [Uri.joinPath(root, name), root]), ...around];
+  if (near.length > 0) return near;
+  const pattern = `**/${name.replace(/[^\w.-]/g, "?")}/{package.xml,model.config,model.sdf}`;
+  const search = Promise.resolve(workspace.findFiles(pattern, "**/node_modules/**", 8));
+  const found = await search.catch((problem) => (left.push(`the workspace is not searched for the package ${name}: ${String(problem)}`), []));
+  return found.map((file) => Uri.joinPath(file, "..")).sort((a, b) => a.path.localeCompare(b.path));
 }
 
-/** Returns the packages of that name in the workspace. */
-async function far(name: string): Promise<Uri[]> {
-  const manifests = await workspace.findFiles(`**/${name.replace(/[^\w.-]/g, "?")}/{package.xml,model.config,model.sdf}`, "**/node_modules/**", 8);
-  return manifests.map((file) => Uri.joinPath(file, "..")).sort((a, b) => a.path.localeCompare(b.path));
+async function look(address: Uri): Promise<FileStat | null> {
+  return Promise.resolve(workspace.fs.stat(address)).catch(() => null);
 }
 
-const FOLDERS = { near, far };
-
-async function sizeOf(address: Uri): Promise<number | null> {
-  try {
-    const { size, type } = await workspace.fs.stat(address);
-    return type & FileType.File ? size : null;
-  } catch {
-    return null;
-  }
+/** Returns the text of a file; empty if it cannot be read. */
+export async function textOf(address: Uri): Promise<string> {
+  const content = (await read(address)) ?? "";
+  return typeof content === "string" ? content : new TextDecoder().decode(content);
 }
 
 /** Returns the content of a file, or the text of an open document; null if it cannot be read. */
 async function read(address: Uri): Promise<string | Uint8Array | null> {
   const open = workspace.textDocuments.find(({ uri }) => uri.toString() === address.toString());
-  if (open) return open.getText();
-  try {
-    return await workspace.fs.readFile(address);
-  } catch {
-    return null;
-  }
+  return open?.getText() ?? Promise.resolve(workspace.fs.readFile(address)).catch(() => null);
 }

@@ -4,14 +4,12 @@ import { TABLES } from "./schema";
 /** Robot model (URDF, SDF, MJCF), or scenario (TOML). */
 export type Kind = "robot" | "scenario";
 
-const ROOTS = ["robot", "sdf", "mujoco"];
-
 /** Returns the kind of a document; null for every other file. */
 export function kindOf(path: string, text: string): Kind | null {
   const extension = /\.(\w+)$/.exec(path.toLowerCase())?.[1] ?? "";
   if (extension === "toml") return isScenario(text) ? "scenario" : null;
   if (extension === "urdf") return "robot";
-  if (["sdf", "world", "xml", "mjcf"].includes(extension)) return ROOTS.includes(rootOf(text)) ? "robot" : null;
+  if (["sdf", "world", "xml", "mjcf"].includes(extension)) return /^(robot|sdf|mujoco)$/.test(rootOf(text)) ? "robot" : null;
   return null;
 }
 

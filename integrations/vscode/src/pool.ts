@@ -11,6 +11,12 @@ export interface Message {
 /** Outcome of a request. `superseded`: a newer request of the same owner ended it. `late`: the time limit ended it. */
 export type Outcome<T> = { value: T } | { failures: readonly Failure[] } | { ended: "superseded" | "late" };
 
+/** Returns the failure of a thread that has stopped. */
+export function defect(problem: unknown): Failure {
+  const reason = `polhode stopped: ${String(problem)}; this is a defect, please report it with the file`;
+  return { kind: "defect", text: reason, reason, file: null, line: null, column: null, hint: null };
+}
+
 interface Job {
   owner: string;
   message: { name: Message["name"]; request: object };
@@ -69,10 +75,7 @@ export class Pool {
       else void worker.terminate();
       this.#finish(job.owner, outcome);
     });
-    worker.on("error", ({ message }) => {
-      const reason = `polhode stopped: ${message}`;
-      this.#finish(job.owner, { failures: [{ kind: "defect", text: reason, reason, file: null, line: null, column: null, hint: null }] });
-    });
+    worker.on("error", (problem) => this.#finish(job.owner, { failures: [defect(problem)] }));
     worker.postMessage(job.message);
   }
 

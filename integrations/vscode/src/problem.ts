@@ -2,24 +2,20 @@
 import type { Failure, ModelReport } from "polhode";
 import { RULES } from "./rules";
 
-/** Replacement of text. */
-export interface Edit {
-  line: number;
-  column: number;
-  /** Replaced text; null if the module does not state it. */
-  old: string | null;
-  new: string;
-}
+type Finding = ModelReport["findings"][number];
+
+/** Replacement of text; `old` is null if the module does not state it. */
+export type Edit = NonNullable<Finding["repair"]>["edits"][number];
 
 /** Problem at a place. Lines and columns are from 1; columns are in characters. */
 export interface Problem {
-  /** Name of the file in the request; null for the request itself. */
-  file: string | null;
+  /** Name of the file in the request. */
+  file: string;
   line: number;
   column: number;
   /** Length of the place in characters; null if the module does not state it. */
   length: number | null;
-  severity: "impossible" | "suspect" | "note";
+  severity: Finding["severity"];
   /** Code of the rule, or `scenario`, `model` or `polhode`. */
   code: string;
   message: string;

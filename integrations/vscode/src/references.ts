@@ -1,9 +1,12 @@
 /** Names of files in the text of models and scenarios. */
 
+/** Files that have no mass: pictures, materials, programs. */
+const UNUSED = /\.(png|jpe?g|tga|bmp|gif|hdr|mtl|material|so|py)$/i;
+
 /** Returns the names in quotes or between tags that look like files, and the models of SDF. */
 export function namesIn(text: string): Set<string> {
   const names = new Set<string>();
-  for (const [, name] of text.matchAll(/["'>]\s*((?:[a-z]+:\/\/)?[^"'<>\n]{0,400}?\.(?:3mf|[a-z][a-z0-9]{1,7}))\s*["'<]/gi)) names.add(name!);
+  for (const [, name] of text.matchAll(/["'>]\s*((?:[a-z]+:\/\/)?[^"'<>\n]{0,400}?\.(?:3mf|[a-z][a-z0-9]{1,7}))\s*["'<]/gi)) if (!UNUSED.test(name!)) names.add(name!);
   for (const [, name] of text.matchAll(/["'>]\s*(model:\/\/[^"'<>\s]+)/g)) names.add(name!);
   return names;
 }

@@ -20,12 +20,17 @@ const ROOT = schema as Node;
 /** Top-level tables and keys of a scenario. */
 export const TABLES = Object.keys(ROOT.properties ?? {});
 
+/** Headers of the tables. */
+export const HEADERS = Object.entries(ROOT.properties ?? {})
+  .filter(([key]) => key !== "title")
+  .map(([key, { type }]) => (key === "body" ? "[[body.part]]" : type === "array" ? `[[${key}]]` : `[${key}]`));
+
 /** Key and its text value, if it has one: `shape` and `box`. */
 export type Pair = readonly [key: string, value: string | null];
 
-/** Returns the alternatives at a path of keys from the root; elements of arrays have their array's path. */
-export function nodesAt(path: readonly string[]): Node[] {
-  return path.reduce<Node[]>((nodes, key) => nodes.flatMap((node) => alternatives(node.properties?.[key])), alternatives(ROOT));
+/** Returns the forms of a value of a table; elements of arrays have their array's path. */
+export function valuesAt(path: readonly string[], has: readonly Pair[]): Node[] {
+  return inner(tablesAt(path.slice(0, -1), has), path.at(-1)!);
 }
 
 /** Returns the forms of a table at a path that its keys so far allow: a part with shape = "box" is a box. */
@@ -35,17 +40,16 @@ export function tablesAt(path: readonly string[], has: readonly Pair[]): Node[] 
       const names = node.properties?.[key]?.enum;
       return value === null || names === undefined || names.length !== 1 || names[0] === value;
     });
-  return nodesAt(path).filter((node) => node.properties !== undefined && fits(node));
+  return path.reduce(inner, alternatives(ROOT)).filter((node) => node.properties !== undefined && fits(node));
 }
 
-/** Returns true if the path is an array of tables, whose header is [[…]]. */
-export function isArray(key: string): boolean {
-  return ROOT.properties?.[key]?.type === "array";
+function inner(nodes: Node[], key: string): Node[] {
+  return nodes.flatMap((node) => alternatives(node.properties?.[key]));
 }
 
 function alternatives(node: Node | undefined): Node[] {
   if (node === undefined) return [];
   if (node.$ref !== undefined) return alternatives(ROOT.$defs?.[node.$ref.replace("#/$defs/", "")]);
-  const inner = [...(node.oneOf ?? []), ...(node.anyOf ?? []), ...(node.items ? [node.items] : [])];
-  return inner.length > 0 ? inner.flatMap(alternatives) : [node];
+  const forms = [...(node.oneOf ?? []), ...(node.anyOf ?? []), ...(node.items ? [node.items] : [])];
+  return forms.length > 0 ? forms.flatMap(alternatives) : [node];
 }

@@ -1,9 +1,10 @@
 /** Completion and description of keys in the text of a scenario. */
-import { isArray, type Node, nodesAt, type Pair, TABLES, tablesAt } from "./schema";
+import { HEADERS, type Node, type Pair, tablesAt, valuesAt } from "./schema";
 
-/** Completions at a position, which replace the text from `from` to the position. */
+/** Completions, which replace the text between two offsets. */
 export interface Completions {
   from: number;
+  to: number;
   items: { text: string; detail: string; isKey: boolean }[];
 }
 
@@ -15,23 +16,26 @@ export function complete(text: string, at: number): Completions | null {
   const written = text.slice(start, at);
   const word = /[\w-]*$/.exec(written)![0];
   const header = /^[ \t]*(\[\[?[\w.\- \t]*)$/.exec(written);
-  if (header) return { from: at - header[1]!.length, items: HEADERS.map((text) => ({ text, detail: "table", isKey: false })) };
+  // Brackets and quotes that the editor has closed are replaced too.
+  const closed = (closing: RegExp) => at + closing.exec(text.slice(at, at + 2))![0].length;
+  if (header) return { from: at - header[1]!.length, to: closed(/^\]*/), items: HEADERS.map((text) => ({ text, detail: "table", isKey: false })) };
   const place = placeIn(written);
   if (place === null) return null;
   const table = tableAt(text, start);
   const path = [...table.path, ...place.path];
+  const has = place.isInline ? place.has : table.has;
   if (place.isValue) {
-    const from = /(?:"[^"]*|[\w.+-]*)$/.exec(written)!.index;
-    const items = values(nodesAt(path)).map(([text, detail]) => ({ text, detail, isKey: false }));
-    return items.length > 0 ? { from: start + from, items } : null;
+    const open = written.replace(/"[^"]*"/g, (text) => " ".repeat(text.length));
+    const from = /(?:"[^"]*|[\w.+-]*)$/.exec(open)!.index;
+    const items = [...new Map(values(valuesAt(path, has)))].map(([text, detail]) => ({ text, detail, isKey: false }));
+    return { from: start + from, to: closed(open[from] === '"' ? /^"?/ : /^/), items };
   }
-  const has = place.path.length > 0 ? place.has : table.has;
   const keys = new Map<string, string>();
   for (const node of tablesAt(path, has)) {
     for (const [key, value] of Object.entries(node.properties ?? {})) keys.set(key, keys.get(key) || describe(value));
   }
   const items = [...keys].filter(([key]) => !has.some(([own]) => own === key)).map(([text, detail]) => ({ text, detail, isKey: true }));
-  return items.length > 0 ? { from: at - word.length, items } : null;
+  return { from: at - word.length, to: at, items };
 }
 
 /** Returns the description of the key at an offset: what it takes, with its unit. */
@@ -42,13 +46,9 @@ export function describeKey(text: string, at: number): string | null {
   const place = placeIn(text.slice(start, at - left.length));
   if (key === "" || place === null || place.isValue) return null;
   const table = tableAt(text, start);
-  const has = place.path.length > 0 ? [] : table.has;
-  const found = tablesAt([...table.path, ...place.path], has).flatMap((node) => node.properties?.[key] ?? []);
+  const found = tablesAt([...table.path, ...place.path], place.isInline ? [] : table.has).flatMap((node) => node.properties?.[key] ?? []);
   return found.map(describe).find((words) => words !== "") ?? null;
 }
-
-/** Headers of the tables of a scenario. */
-const HEADERS = TABLES.filter((key) => key !== "title").map((key) => (key === "body" ? "[[body.part]]" : isArray(key) ? `[[${key}]]` : `[${key}]`));
 
 /** Returns the path of the table at the start of a line, and the keys that it has before and after the line. */
 function tableAt(text: string, start: number): { path: string[]; has: Pair[] } {
@@ -65,21 +65,14 @@ function pairs(text: string): Pair[] {
   return [...text.matchAll(/^[ \t]*([\w-]+)[ \t]*[.=][ \t]*(?:"([^"\n]*)"|'([^'\n]*)')?/gm)].map(([, key, double, single]) => [key!, double ?? single ?? null]);
 }
 
-/** Level of a line: the line itself, an array, or an inline table. */
-interface Level {
-  isTable: boolean;
-  /** Key whose value is being written. */
-  key: string[];
-  /** Next part: a key, its value, or a comma. */
-  next: "key" | "value" | "comma";
-  has: Pair[];
-}
+/** Level of a line (the line itself, an array or an inline table): the key whose value is written, the next part, the keys so far. */
+type Level = { isTable: boolean; key: string[]; next: "key" | "value" | "comma"; has: Pair[] };
 
-/** Returns the place at the end of a line's start: keys around it, and true if a value is written there. */
-function placeIn(written: string): { path: string[]; isValue: boolean; has: Pair[] } | null {
+/** Returns the place at the end of a line's start: keys around it, if a value is written there, and if an inline table contains it. */
+function placeIn(written: string): { path: string[]; isValue: boolean; isInline: boolean; has: Pair[] } | null {
   const [, left, rest] = /^[ \t]*([\w.-]*)[ \t]*(=.*)?$/.exec(written) ?? [];
   if (left === undefined) return null;
-  if (rest === undefined) return left !== "" && /\s$/.test(written) ? null : { path: left.split(".").slice(0, -1), isValue: false, has: [] };
+  if (rest === undefined) return left !== "" && /\s$/.test(written) ? null : { path: left.split(".").slice(0, -1), isValue: false, isInline: left.includes("."), has: [] };
   const levels: Level[] = [{ isTable: true, key: left.split("."), next: "value", has: [] }];
   for (const { 0: token, index } of rest.matchAll(/"(?:[^"\\]|\\.)*"?|'[^']*'?|[\w.+-]+|[^\s]/g)) {
     const level = levels.at(-1)!;
@@ -94,14 +87,14 @@ function placeIn(written: string): { path: string[]; isValue: boolean; has: Pair
     } else if (token === "=") level.next = "value";
     else if (token === ",") [level.next, level.key] = level.isTable ? ["key", []] : ["value", level.key];
     else if (level.next === "value") level.next = isLast ? "value" : "comma";
-    else if (level.next === "key" && !isLast) {
-      level.key = token.split(".");
+    else if (level.next === "key" && isLast) level.key = token.split(".").slice(0, -1);
+    else if (level.next === "key") {
+      [level.key, level.next] = [token.split("."), "comma"];
       level.has.push([token, null]);
-      level.next = "comma";
-    } else if (level.next === "key") level.key = token.split(".").slice(0, -1);
+    }
   }
   const { next, has } = levels.at(-1)!;
-  return next === "comma" ? null : { path: levels.flatMap(({ key }) => key), isValue: next === "value", has };
+  return next === "comma" ? null : { path: levels.flatMap(({ key }) => key), isValue: next === "value", isInline: levels.some(({ isTable }, k) => isTable && k > 0), has };
 }
 
 /** Returns the values that a schema allows: names, true and false, or an example with its unit. */

@@ -1,7 +1,7 @@
 /** Thread that answers requests by the module. */
 import { parentPort } from "node:worker_threads";
 import * as polhode from "polhode";
-import type { Message, Outcome } from "./pool";
+import { defect, type Message, type Outcome } from "./pool";
 
 parentPort!.on("message", ({ name, request }: Message) => {
   void answer(name, request).then((outcome) => parentPort!.postMessage(outcome));
@@ -11,10 +11,6 @@ async function answer(name: Message["name"], request: never): Promise<Outcome<un
   try {
     return { value: await polhode[name](request) };
   } catch (problem) {
-    return { failures: problem instanceof polhode.PolhodeError ? problem.failures : [defect(String(problem))] };
+    return { failures: problem instanceof polhode.PolhodeError ? problem.failures : [defect(problem)] };
   }
-}
-
-function defect(reason: string): polhode.Failure {
-  return { kind: "defect", text: reason, reason, file: null, line: null, column: null, hint: null };
 }

@@ -43,7 +43,7 @@ export async function start(folder, payload = [], settings = {}) {
     server.on("exit", () => failed(new Error(`VS Code did not start:\n${text}`)));
   });
   const browser = await chromium.launch({ executablePath: executable(), args: ["--no-sandbox", "--disable-gpu"] });
-  const page = await (await browser.newContext({ viewport: { width: 1280, height: 800 } })).newPage();
+  const page = await (await browser.newContext({ viewport: { width: 1100, height: 700 } })).newPage();
   const stop = async () => {
     await browser.close();
     server.removeAllListeners("exit").kill();

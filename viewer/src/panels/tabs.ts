@@ -56,7 +56,8 @@ export class Tabs {
   }
 
   open(id: string): void {
-    // On a phone not all tabs are visible. At the start the first one is, and a page around this one must not scroll to it.
+    // On a phone not all tabs are visible. The first one is at the start; scrolling to it would also
+    // scroll a page around this one.
     const isScrolled = this.#open !== "" && this.#bar.scrollWidth > this.#bar.clientWidth;
     this.#open = id;
     for (const tab of this.#all) {

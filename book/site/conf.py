@@ -2,9 +2,10 @@
 
 The source is the repository's root. Its pages are plain Markdown with links between files, which
 code hosts also display. The modules in this folder add the navigation, search, pages for other
-files, and formulas as MathML.
+files, formulas as MathML, and the front page.
 """
 
+import re
 import sys
 from pathlib import Path
 
@@ -15,12 +16,13 @@ ROOT = HERE.parents[1]
 sys.path[:0] = [str(HERE), str(ROOT / "crates/polhode-py/python")]
 
 project = "polhode"
+version = re.search(r'^version = "(.+?)"', (ROOT / "Cargo.toml").read_text(encoding="utf-8"), re.MULTILINE)[1]
 root_doc = "book/README"
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "navigation", "notebooks", "repository", "mathematics", "search"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.githubpages", "front", "navigation", "notebooks", "repository", "mathematics", "search"]
 
 # The book, and the pages at the root to which it links.
 PAGES = {"book", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "CONVENTIONS.md", "SECURITY.md"}
-exclude_patterns = [entry.name for entry in ROOT.iterdir() if entry.name not in PAGES]
+exclude_patterns = [entry.name for entry in ROOT.iterdir() if entry.name not in PAGES] + ["book/site/get.md"]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 
 myst_enable_extensions = ["dollarmath"]
@@ -34,8 +36,14 @@ autodoc_member_order = "bysource"
 python_use_unqualified_type_names = True
 
 html_theme = "furo"
+html_theme_options = {
+    "light_css_variables": {"color-brand-primary": "#0072b2", "color-brand-content": "#0072b2"},
+    "dark_css_variables": {"color-brand-primary": "#56b4e9", "color-brand-content": "#56b4e9"},
+}
 html_title = "polhode"
-html_static_path = ["site.css", "search.js"]
+html_favicon = "favicon.svg"
+templates_path = ["."]
+html_static_path = ["site.css", "front.css", "search.js"]
 html_css_files = ["site.css"]
 html_js_files = ["search.js"]
 html_copy_source = False

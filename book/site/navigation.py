@@ -12,7 +12,6 @@ ENTRY = re.compile(r"^- \[([^\]]+)\]\(([^)#:]+)\.(?:md|rst|ipynb)\)")
 
 def setup(app):
     app.connect("source-read", add_toctrees)
-    app.connect("build-finished", add_index)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
@@ -30,11 +29,3 @@ def add_toctrees(app, docname, source):
         if entries:
             options = [":hidden:", f":caption: {caption}"] if caption else [":hidden:"]
             source[0] += "\n".join(["\n\n```{toctree}", *options, "", *entries, "```\n"])
-
-
-def add_index(app, exception):
-    """Writes a first page with the conventional name, which redirects to the book."""
-    if exception is None:
-        first = app.builder.get_target_uri(app.config.root_doc)
-        page = f'<!doctype html><meta charset="utf-8"><title>polhode</title><meta http-equiv="refresh" content="0; url={first}"><a href="{first}">The book</a>'
-        (app.outdir / "index.html").write_text(page, encoding="utf-8")

@@ -2,7 +2,7 @@
 its text.
 
 The contents page of a crate, `src/lib.rs`, is shown as the crate's documentation, which
-`cargo xtask book` puts next to the pages.
+`cargo xtask book` puts next to the pages. The interactive page is shown as itself.
 """
 
 import re
@@ -16,6 +16,8 @@ from sphinx import addnodes
 from sphinx.util import logging
 
 GALLERY = "book/gallery"
+# The interactive page, which the site has at its root.
+INTERACTIVE = "crates/polhode-live/assets/polhode.html"
 LIBRARY = re.compile(r"crates/([a-z-]+)/src/lib\.rs")
 LANGUAGES = {".toml": "toml", ".py": "python", ".rs": "rust", ".urdf": "xml", ".sdf": "xml", ".xml": "xml"}
 
@@ -23,6 +25,7 @@ logger = logging.getLogger(__name__)
 
 
 def setup(app):
+    app.config.html_extra_path = [str(app.srcdir / INTERACTIVE)]
     app.connect("builder-inited", lambda app: setattr(app.env, "shown_files", set()))
     # Runs before Sphinx copies linked files as downloads.
     app.connect("doctree-read", link_files, priority=100)
@@ -67,6 +70,8 @@ def page_of(app, path):
     text."""
     if library := LIBRARY.fullmatch(path):
         return f"rust/{library[1].replace('-', '_')}/index.html"
+    if path == INTERACTIVE:
+        return Path(path).name
     whole = app.srcdir / path
     if not whole.exists() or whole.is_file() and text_of(whole) is None:
         return None

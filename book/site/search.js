@@ -7,12 +7,17 @@
   /** A word of a heading, and of a page's title, is worth so many of the text. */
   const HEADING = 8;
   const TITLE = 4;
+  /** Factor for the words of the search next to each other. */
+  const PHRASE = 4;
   const [K, B] = [1.2, 0.6];
   /** Pages that repeat what others say. */
   const LESS = /^(CHANGELOG|ARCHITECTURE|CONTRIBUTING)\.html/;
 
   const root = document.documentElement.dataset.content_root ?? "./";
-  const wordsOf = (text) => text.toLowerCase().match(/[\p{L}\p{N}_]+/gu) ?? [];
+  /** Words; an option of a command, such as `--density`, is one with its dashes. */
+  const wordsOf = (text) => text.toLowerCase().match(/--[a-z][a-z-]*|[\p{L}\p{N}_]+/gu) ?? [];
+  /** Words as which a text is found: an option also without its dashes. */
+  const foundAs = (text) => wordsOf(text).flatMap((word) => (word.startsWith("--") ? [word, ...word.match(/[a-z]+/g)] : [word]));
 
   let index = null;
   function load() {
@@ -32,10 +37,10 @@
     const lengths = sections.map(([, page, heading, text], k) => {
       const counts = new Map();
       const add = (word, weight) => counts.set(word, (counts.get(word) ?? 0) + weight);
-      const body = wordsOf(text);
+      const body = foundAs(text);
       for (const word of body) add(word, 1);
-      for (const word of wordsOf(heading)) add(word, HEADING);
-      for (const word of wordsOf(page)) add(word, heading ? 1 : HEADING + TITLE);
+      for (const word of foundAs(heading)) add(word, HEADING);
+      for (const word of foundAs(page)) add(word, heading ? 1 : HEADING + TITLE);
       for (const [word, count] of counts) {
         if (!words.has(word)) words.set(word, []);
         words.get(word).push([k, count]);
@@ -65,7 +70,9 @@
       scores = new Map([...found].filter(([k]) => before === null || before.has(k)).map(([k, s]) => [k, s + (before?.get(k) ?? 0)]));
     }
     const less = (k) => (LESS.test(sections[k][0]) ? 0.5 : 1);
-    const ranked = [...(scores ?? [])].map(([k, score]) => [k, score * less(k)]);
+    const phrase = wanted.join(" ");
+    const more = (k) => (wanted.length > 1 && sections[k].slice(1).some((part) => wordsOf(part).join(" ").includes(phrase)) ? PHRASE : 1);
+    const ranked = [...(scores ?? [])].map(([k, score]) => [k, score * less(k) * more(k)]);
     return ranked.sort((a, b) => b[1] - a[1] || a[0] - b[0]).map(([k]) => k);
   }
 
@@ -160,6 +167,8 @@
       event.preventDefault();
     });
     list.addEventListener("click", close);
+    // A pointer in a frame is not heard here, but it takes the focus.
+    addEventListener("blur", close);
     document.addEventListener("pointerdown", (event) => {
       if (event.target !== box && !list.contains(event.target)) close();
     });

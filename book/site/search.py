@@ -40,7 +40,8 @@ def sections(document, page):
 
 
 def text_of(parts):
-    return SPACE.sub(" ", " ".join(part.astext() for part in parts)).strip()
+    """Returns the text of these nodes, without raw HTML around them."""
+    return SPACE.sub(" ", " ".join(part.astext() for part in parts if not isinstance(part, nodes.raw))).strip()
 
 
 def write(app, exception):

@@ -15,6 +15,8 @@ const index = build([
   ["tops.html#sleeping", "Tops", "Sleeping tops", "Upright, and stable above a threshold."],
   ["CHANGELOG.html", "Changelog", "Added", "Sleeping tops, gyroscopes, and the separatrix."],
   ["plots.html#polhodes", "Plots", "Polhodes", "Curves on the sphere of L."],
+  ["shapes.html", "Shapes", "", "Parallel edges, an axis of symmetry, and the density of steel, which has a density of 7850."],
+  ["inertia.html", "Inertia", "", "The parallel-axis theorem moves a tensor; --density 2700 gives it a scale."],
 ]);
 const places = (query) => Array.from(find(index, query), (k) => index.sections[k][0]);
 
@@ -27,6 +29,16 @@ test("a heading counts more than the text, and a page that only repeats less", (
 test("the beginning of a word finds it, in any case", () => {
   assert.deepEqual(places("POLH"), places("polhodes"));
   assert.deepEqual(places("olhodes"), []);
+});
+
+test("words next to each other count more", () => {
+  assert.deepEqual(places("parallel axis"), ["inertia.html", "shapes.html"]);
+});
+
+test("an option is found with its dashes, and without them as a word", () => {
+  assert.deepEqual(places("--density"), ["inertia.html"]);
+  assert.deepEqual(places("--den"), ["inertia.html"]);
+  assert.deepEqual(places("density"), ["shapes.html", "inertia.html"]);
 });
 
 test("every word has to be there", () => {

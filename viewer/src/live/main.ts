@@ -6,6 +6,7 @@ import { Drop } from "./drop";
 import { Editor } from "./editor";
 import { EMPTY } from "./empty";
 import { Files } from "./files";
+import { frame } from "./framed";
 import { Inspection } from "./inspection/inspection";
 import { Knobs } from "./knobs";
 import { lessonOf, Lessons } from "./lesson";
@@ -54,6 +55,7 @@ orSay(() => {
     },
   });
   troubles(session);
+  frame(app, session);
   const notice = new Notice();
   const main = document.querySelector("main") ?? document.body;
   const inspection = new Inspection(main, app);

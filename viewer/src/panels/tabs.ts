@@ -56,14 +56,16 @@ export class Tabs {
   }
 
   open(id: string): void {
+    // On a phone not all tabs are visible. The first one is at the start; scrolling to it would also
+    // scroll a page around this one.
+    const isScrolled = this.#open !== "" && this.#bar.scrollWidth > this.#bar.clientWidth;
     this.#open = id;
     for (const tab of this.#all) {
       const chosen = tab.id === id;
       const button = this.#bar.querySelector<HTMLButtonElement>(`#tab-${tab.id}`);
       button?.setAttribute("aria-selected", String(chosen));
       if (button) button.tabIndex = chosen ? 0 : -1;
-      // On a phone not all tabs are visible.
-      if (chosen && button && this.#bar.scrollWidth > this.#bar.clientWidth) button.scrollIntoView({ block: "nearest", inline: "nearest" });
+      if (chosen && button && isScrolled) button.scrollIntoView({ block: "nearest", inline: "nearest" });
       const panel = this.#panels.querySelector<HTMLElement>(`#panel-${tab.id}`);
       if (!panel) continue;
       panel.hidden = !chosen;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::process::{FEATURES, build_folder, cargo, copy, empty_folder, run, run_beside};
-use crate::{Outcome, python, read, root};
+use crate::{Outcome, python, read, root, viewer};
 
 /// Python executable of an environment with Sphinx.
 #[derive(Debug)]
@@ -92,10 +92,13 @@ pub(crate) fn build_in(Environment(python): &Environment) -> Outcome {
     Ok(())
 }
 
-/// Checks the links of a copy of the site.
+/// Checks the links of a copy of the site, and its front page and search in a browser.
 pub(crate) fn check_site(site: &Path) -> Outcome {
     let Environment(python) = environment()?;
-    run(Command::new(python).arg(root().join("book/site/links.py")).arg(site))
+    run(Command::new(python).arg(root().join("book/site/links.py")).arg(site))?;
+    let mut test = Command::new("node");
+    test.arg("test/site.mjs").arg(site).current_dir(root().join("viewer"));
+    run_beside(test.env("CHROMIUM", viewer::chromium()?))
 }
 
 fn site() -> Result<PathBuf, String> {

@@ -42,12 +42,13 @@ pub(crate) fn make() -> Outcome {
     }
     take(&[npm::build(module::Build::Release)?], &folder)?;
     page::build(module::Build::Release)?;
-    take(&[module::folder().join("polhode.html")], &folder)?;
+    take(&[page::path()], &folder)?;
     compiled(&folder)?;
     packages::check(true)?;
     take(&files(&in_target("package")?, "crate")?, &folder.join("crates"))?;
     book::build(false)?;
     copy(&in_target("book")?, &folder.join("site"))?;
+    take(&[page::path()], &folder.join("site"))?;
     let triple = dist::host()?;
     write(&folder.join("polhode.cdx.json"), &sbom::bill(&triple)?)?;
     write(&folder.join("NOTES.md"), &notes(&read(&root().join("CHANGELOG.md"))?)?)?;

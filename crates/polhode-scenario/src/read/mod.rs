@@ -51,6 +51,7 @@ pub mod shape;
 mod start;
 mod substance;
 mod sweep;
+mod symbols;
 mod target;
 mod template;
 mod tensor;
@@ -67,7 +68,6 @@ use polhode_source::file;
 use polhode_source::files::{Disk, Files};
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
-use polhode_source::toml::symbols::Symbols;
 use polhode_source::toml::tree::Entries;
 use polhode_source::{FormatError, FormatErrorKind, Place};
 
@@ -279,7 +279,7 @@ fn file_of_root(
 
 /// Returns the scenario of a file with the tables `entries`, and the places of its torques.
 fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<TorquePlaces>), FormatError> {
-    let symbols = Symbols::read(&Table::root(source, entries))?;
+    let symbols = symbols::symbols(&Table::root(source, entries))?;
     let root = Table::root(Source { symbols: Some(&symbols), ..source }, entries);
     root.allow(&TOP)?;
     for (a, b, why) in Scenario::EXCLUSIVE {
@@ -363,7 +363,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     scenario = gimbals::gimbals(&root, scenario, pivot.as_ref().map(|pivot| pivot.value))?;
     scenario = shaft::shaft(&root, &start, scenario)?;
     scenario = pendulum::pendulum(&root, scenario.noting(findings))?;
-    symbols.require_used(&root)?;
+    symbols::require_used(&symbols, &root)?;
     let noticed = scenario.check();
     let scenario = scenario.noting(noticed).noting(shared.and_then(|shared| shared.underground()));
     Ok((scenario, torques.places))

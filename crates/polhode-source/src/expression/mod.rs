@@ -123,7 +123,7 @@ pub fn measured(
 }
 
 /// Returns true for a name that formulas have already: a function, an operator, or pi.
-pub(crate) fn is_reserved(name: &str) -> bool {
+pub fn is_reserved(name: &str) -> bool {
     ["pi", "and", "or"].contains(&name) || function::FUNCTIONS.iter().any(|f| f.name == name)
 }
 

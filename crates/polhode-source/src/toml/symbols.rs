@@ -13,10 +13,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::reader::{Table, Value};
-use crate::expression::{ExpressionError, ExpressionErrorKind, is_reserved, measured};
+use crate::expression::{ExpressionError, ExpressionErrorKind, measured};
 use crate::unit::{self, Dimension};
-use crate::{FormatError, FormatErrorKind};
 
 /// Named quantities of a scenario.
 #[derive(Debug, Default)]
@@ -34,21 +32,17 @@ pub struct Symbol {
     is_used: AtomicBool,
 }
 
+impl Symbol {
+    /// Returns true if a formula that has been evaluated contains it.
+    pub fn is_used(&self) -> bool {
+        self.is_used.load(Ordering::Relaxed)
+    }
+}
+
 impl Symbols {
-    /// Reads the table `[symbols]`, if there is one.
-    ///
-    /// # Errors
-    /// [`FormatError`] for a name that formulas cannot contain, or a value that is not a quantity.
-    pub fn read(root: &Table<'_>) -> Result<Self, FormatError> {
-        let Some(table) = root.get("symbols") else { return Ok(Self::default()) };
-        let mut all = Vec::new();
-        for (name, value) in table.table()?.each("symbols") {
-            let (number, dimension) = value.any_quantity()?;
-            require_name(name, dimension, &value)?;
-            let (name, is_used) = (name.to_owned(), AtomicBool::new(false));
-            all.push(Symbol { name, value: number, dimension, is_used });
-        }
-        Ok(Self(all))
+    /// Adds a symbol.
+    pub fn add(&mut self, name: String, value: f64, dimension: Dimension) {
+        self.0.push(Symbol { name, value, dimension, is_used: AtomicBool::new(false) });
     }
 
     /// Returns the symbols in the order of the file.
@@ -83,45 +77,4 @@ impl Symbols {
         }
         Err(ExpressionError { kind: ExpressionErrorKind::Number { found: text.to_owned() }, column: 1 })
     }
-
-    /// Checks that each symbol is in a formula.
-    ///
-    /// # Errors
-    /// [`FormatError`] at the first symbol that is in none.
-    pub fn require_used(&self, root: &Table<'_>) -> Result<(), FormatError> {
-        let Some(table) = root.get("symbols") else { return Ok(()) };
-        for (symbol, (name, value)) in self.0.iter().zip(table.table()?.each("symbols")) {
-            if !symbol.is_used.load(Ordering::Relaxed) {
-                let error = value.invalid(format!("in a formula of the scenario, such as \"{name}/2\""));
-                return Err(error.with_hint(format!("use {name} in a formula, or remove it")));
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Checks that formulas can contain the name of a symbol.
-fn require_name(name: &str, dimension: Dimension, value: &Value<'_>) -> Result<(), FormatError> {
-    let is_word = name.chars().next().is_some_and(char::is_alphabetic)
-        && name.chars().all(|c| c.is_alphanumeric() || c == '_');
-    let refused = |rule: &str| {
-        let (key, rule) = ("a symbol".to_owned(), rule.to_owned());
-        value.error(FormatErrorKind::Value { key, value: name.to_owned(), rule })
-    };
-    if !is_word {
-        let error = refused("a letter, then letters, digits and _");
-        return Err(error.with_hint("rename the symbol, such as m_1"));
-    }
-    if is_reserved(name) {
-        let error = refused("no name that formulas already have");
-        return Err(error.with_hint(format!("rename the symbol, such as {name}_0")));
-    }
-    // "2 m" is two metres also where m is a mass; where m is a length, it could be either.
-    if unit::factor(name, dimension).is_ok() {
-        let error = refused("no unit of its own dimension");
-        return Err(
-            error.with_hint(format!("\"2 {name}\" would be unclear: rename the symbol, such as {name}_0"))
-        );
-    }
-    Ok(())
 }

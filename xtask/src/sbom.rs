@@ -24,7 +24,7 @@ pub(crate) fn bill(triple: &str) -> Result<String, String> {
     let fields = bill.as_object_mut().ok_or("npm sbom: no object")?;
     // It would be another one in each release of the same commit.
     fields.remove("serialNumber");
-    // The packages of npm depend on the page, which is no component.
+    // The packages of npm depend on the page, which is not a component.
     fields.remove("dependencies");
     let components =
         fields.get_mut("components").and_then(Value::as_array_mut).ok_or("npm sbom: no components")?;

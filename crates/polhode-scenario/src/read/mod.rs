@@ -279,9 +279,10 @@ fn file_of_root(
 
 /// Returns the scenario of a file with the tables `entries`, and the places of its torques.
 fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<TorquePlaces>), FormatError> {
-    let symbols = symbols::symbols(&Table::root(source, entries))?;
-    let root = Table::root(Source { symbols: Some(&symbols), ..source }, entries);
+    let root = Table::root(source, entries);
     root.allow(&TOP)?;
+    let symbols = symbols::symbols(&root)?;
+    let root = Table::root(Source { symbols: Some(&symbols), ..source }, entries);
     for (a, b, why) in Scenario::EXCLUSIVE {
         root.at_most_one(&[a, b], why)?;
     }

@@ -50,7 +50,7 @@ impl Symbols {
         &self.0
     }
 
-    /// Returns true if a text is a formula, in a scenario with symbols: it is no quantity of any
+    /// Returns true if a text is a formula, in a scenario with symbols: it is not a quantity of any
     /// dimension.
     pub(crate) fn is_formula(&self, text: &str) -> bool {
         !self.0.is_empty() && unit::measured(text).is_err()

@@ -25,9 +25,9 @@ pub(crate) fn outcome(mut request: Map<String, Value>, files: &dyn Files) -> Out
         LINK_KEYS.iter().filter_map(|key| request.shift_remove_entry(*key)).collect();
     let read = || -> Result<(LinkChoice, Request), Failure> {
         let of = |object| Value::Object(object);
-        let links = serde_json::from_value(of(links)).map_err(|error| invalid(&error))?;
+        let links: LinkChoice = serde_json::from_value(of(links)).map_err(|error| invalid(&error))?;
         let request: Request = serde_json::from_value(of(request)).map_err(|error| invalid(&error))?;
-        Ok((one_choice(links)?, without_output(request)?))
+        Ok((links.require_one()?, without_output(request)?))
     };
     let (links, request) = match read() {
         Ok(read) => read,
@@ -50,28 +50,6 @@ pub(crate) fn outcome(mut request: Map<String, Value>, files: &dyn Files) -> Out
         Value::Array(reports) => Value::Array(reports),
         report => Value::Array(vec![report]),
     })
-}
-
-/// Refuses two selections of links, and joint values without a selection that uses them.
-fn one_choice(links: LinkChoice) -> Result<LinkChoice, Failure> {
-    let given = [
-        ("link", links.link.is_some()),
-        ("lump", links.lump.is_some()),
-        ("subtree", links.subtree.is_some()),
-    ];
-    let mut given = given.into_iter().filter_map(|(key, is_given)| is_given.then_some(key));
-    let (first, second) = (given.next(), given.next());
-    if let (Some(first), Some(second)) = (first, second) {
-        return Err(Failure::usage(
-            format!("{first} and {second} contradict each other"),
-            "leave one of them out",
-        ));
-    }
-    if !links.joints.is_empty() && matches!(first, None | Some("link")) {
-        let hint = "give lump or subtree, or leave joint out";
-        return Err(Failure::usage("joint is only for joined links of a robot", hint));
-    }
-    Ok(links)
 }
 
 /// Refuses a request that writes a file.

@@ -68,5 +68,8 @@ pub use run::{Inputs, Progress, run};
 /// JSON schema of a [`Request`].
 pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 
+/// JSON schema of a [`LinkChoice`] without its table.
+pub const LINK_CHOICE_SCHEMA: &str = include_str!("../schema/link-choice.json");
+
 /// JSON schema of the report of a [`Checked`].
 pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");

@@ -72,10 +72,12 @@ impl<'a> Confined<'a> {
     }
 
     /// # Errors
-    /// [`io::ErrorKind::PermissionDenied`] if the path is outside the folders.
+    /// [`io::ErrorKind::PermissionDenied`] with [`NotOpened::Outside`] if the path is outside the
+    /// folders.
     fn require(&self, path: &Path) -> io::Result<PathBuf> {
         let path = self.files.canonical(path)?;
-        if self.holds(&path) { Ok(path) } else { Err(io::ErrorKind::PermissionDenied.into()) }
+        let outside = || io::Error::new(io::ErrorKind::PermissionDenied, NotOpened::Outside);
+        if self.holds(&path) { Ok(path) } else { Err(outside()) }
     }
 }
 

@@ -1,0 +1,61 @@
+//! Outcomes of calls.
+
+use polhode_document::Report;
+use polhode_document::layout::printable_lines;
+use polhode_source::Failure;
+use serde_json::{Value, json};
+
+/// Largest size of a text with its report, bytes. A larger one would fill the context of a model.
+const LARGEST: usize = 1_000_000;
+
+/// Outcome of a call: what the command prints, its JSON and its exit status.
+#[derive(Debug)]
+pub(crate) struct Outcome {
+    text: String,
+    report: Option<Value>,
+    /// Exit status of the command for the same request.
+    status: u8,
+}
+
+impl Outcome {
+    /// Creates the outcome of a report; failures are those of some of its files.
+    pub(crate) fn of(report: &dyn Report, text: String, failures: &[Failure]) -> Self {
+        let found = u8::from(report.has_failed());
+        let statuses = failures.iter().map(status).chain([found]);
+        let status = statuses.max_by_key(|status| [0, 1, 3, 2].iter().position(|one| one == status));
+        let texts = Some(text).filter(|text| !text.is_empty()).into_iter();
+        let texts: Vec<String> = texts.chain(failures.iter().map(Failure::to_string)).collect();
+        Self { text: texts.join("\n"), report: Some(report.to_json()), status: status.unwrap_or_default() }
+    }
+
+    /// Returns the result of the call.
+    pub(crate) fn to_result(&self) -> Value {
+        let report = self.report.as_ref().map(Value::to_string).unwrap_or_default();
+        let size = self.text.len() + report.len();
+        if size > LARGEST {
+            return Self::from(Failure::usage(
+                format!("the result has {size} bytes; a tool returns at most {LARGEST}"),
+                "ask for fewer files or states, or run the command, which writes results of any size",
+            ))
+            .to_result();
+        }
+        let mut result = json!({
+            "content": [{ "type": "text", "text": printable_lines(&self.text) }],
+            "isError": self.status >= 2,
+        });
+        if let Some(report) = &self.report {
+            result["structuredContent"] = json!({ "exit_status": self.status, "report": report });
+        }
+        result
+    }
+}
+
+impl From<Failure> for Outcome {
+    fn from(failure: Failure) -> Self {
+        Self { text: failure.to_string(), report: None, status: status(&failure) }
+    }
+}
+
+fn status(failure: &Failure) -> u8 {
+    if failure.is_numerical() { 3 } else { 2 }
+}

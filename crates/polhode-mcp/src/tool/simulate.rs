@@ -1,0 +1,96 @@
+//! Motions of scenarios.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use polhode::motion::{Ending, Scenario};
+use polhode_document::Report as _;
+use polhode_scenario::read::ScenarioFile;
+use polhode_scenario::request::simulate::{REPORT_SCHEMA, REQUEST_SCHEMA, Request, run_watched};
+use polhode_source::Failure;
+use polhode_source::files::Files;
+use polhode_source::given::{Given, Times};
+
+use crate::arguments::Arguments;
+use crate::definition::Definition;
+use crate::outcome::Outcome;
+
+/// Largest number of states that a call returns; also in [`SAMPLES`].
+const MOST: usize = 200;
+
+/// Schema of the arguments that the command does not have.
+const SAMPLES: &str = r#"{
+    "properties": {
+        "samples": {
+            "description": "Number of states at equal intervals over the run, with both its ends: 2 to 200, together with those of at. By default only the final state is returned.",
+            "type": ["integer", "null"],
+            "minimum": 2,
+            "maximum": 200
+        }
+    }
+}"#;
+
+pub(super) const DEFINITION: Definition = Definition {
+    name: "simulate",
+    title: "Motion of a scenario",
+    description: "\
+How does this body move? For a scenario: a TOML file with the body, its start, torques and a [run] section. \
+Returns the kind of motion, its periods (s), energy (J), angular momentum (kg m²/s), the final state, and the estimated error of the \
+attitude (rad) and of ω (rad/s); ω is along body axes, attitudes are unit quaternions w, x, y, z from body to space. \
+The states between are returned only at the times of at, or as many as samples states. `polhode simulate` writes all of them to a table. \
+Example: {\"file\": \"box.toml\", \"samples\": 5, \"contents\": {\"box.toml\": \"[[body.part]]\\nshape = \\\"box\\\"\\nsize = \\\"(20, 10, 6) cm\\\"\\nmass = 2.5\\n\
+[start]\\nspin = { body = [0.1, 3, 0.2] }\\n[run]\\nduration = 10\\n\"}}",
+    request: REQUEST_SCHEMA,
+    report: || REPORT_SCHEMA.as_str(),
+    more: SAMPLES,
+    without: &[],
+    required: &["file"],
+};
+
+/// Arguments that the command does not have.
+#[derive(serde::Deserialize)]
+struct More {
+    samples: Option<usize>,
+}
+
+pub(super) fn run(
+    mut arguments: Arguments,
+    files: &dyn Files,
+    cancelled: &AtomicBool,
+) -> Result<Outcome, Failure> {
+    let More { samples } = arguments.take(["samples"]).read()?;
+    let mut request: Request = arguments.read()?;
+    let asked = request.at.iter().map(|at| at.value.0.len()).sum::<usize>() + samples.unwrap_or_default();
+    if asked > MOST {
+        return Err(Failure::usage(
+            format!("at and samples ask for {asked} states; a call returns at most {MOST}"),
+            "ask for fewer, or run `polhode simulate`, which writes all states to a table",
+        ));
+    }
+    let file = ScenarioFile::read(files, &request.file)?;
+    if let Some(samples) = samples {
+        request.at.push(spread(samples, &file.scenario)?);
+    }
+    let motion = run_watched(&request, file, &mut |_| !cancelled.load(Ordering::Relaxed))?;
+    let failure = match motion.trajectory.ending() {
+        Ending::Failed { cause, .. } => Some(Failure::of_motion(&request.file, cause.clone())),
+        _ => None,
+    };
+    Ok(Outcome::of(&motion, motion.to_text(None), failure.as_slice()))
+}
+
+/// Returns times at equal intervals over the run; none without a run, which is refused later.
+fn spread(samples: usize, scenario: &Scenario) -> Result<Given<Times>, Failure> {
+    let Some(intervals) = samples.checked_sub(1).filter(|intervals| *intervals > 0) else {
+        return Err(Failure::usage(
+            format!("samples = {samples}: must be at least 2"),
+            "leave it out for the final state",
+        ));
+    };
+    let last = scenario.run().and_then(|run| run.times.last().copied());
+    let first = scenario.start().time;
+    let times = last.map_or_else(Vec::new, |last| {
+        let time = |k: usize| first + (last - first) * (k as f64 / intervals as f64);
+        (0..intervals).map(time).chain([last]).collect()
+    });
+    Ok(Given { text: format!("{samples} samples"), value: Times(times) })
+}

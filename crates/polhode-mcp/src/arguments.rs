@@ -3,9 +3,9 @@
 use std::io;
 use std::path::Path;
 
-use polhode_source::files::{Files, Memory, NotOpened, lexical};
+use polhode_source::files::{Files, Kind, Memory, NotOpened, lexical};
 use polhode_source::text::cut;
-use polhode_source::{Failure, nearest};
+use polhode_source::{Failure, nearest, shown};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
@@ -38,7 +38,7 @@ impl Arguments {
             return Err(Failure::usage(format!("{} has no argument {:?}", tool.name, cut(unknown)), hint));
         }
         let arguments = Self { tool, values, properties };
-        match tool.required.iter().find(|key| !arguments.values.contains_key(**key)) {
+        match tool.required.iter().find(|key| is_empty(arguments.values.get(**key))) {
             Some(key) => {
                 let message = format!("the argument {key} of {} is missing", tool.name);
                 Err(Failure::usage(message, arguments.about(key)))
@@ -95,26 +95,30 @@ impl Arguments {
         Ok(Some(memory))
     }
 
-    /// Refuses paths outside the folder of the server. The slices cannot open them either, but know
-    /// nothing of the folder.
+    /// Refuses paths outside the folder of the server, and pipes and devices, which may block
+    /// forever. The slices cannot open files outside either, but know nothing of the folder.
     ///
     /// # Errors
     /// [`Failure`] with the path.
     pub(crate) fn require_inside(&self, files: &dyn Files) -> Result<(), Failure> {
         let root = files.canonical(Path::new(".")).unwrap_or_default();
-        let is_outside = |path: &str| match files.canonical(path.as_ref()) {
-            Ok(_) => false,
-            Err(error) if is_outside(&error) => true,
-            // Whether a file outside exists is not told.
-            Err(_) => !lexical(&root.join(path)).starts_with(&root),
-        };
         for (key, value) in self.values.iter().filter(|(key, _)| PATHS.contains(&key.as_str())) {
-            let mut paths = value.as_array().into_iter().flatten().chain([value]).filter_map(Value::as_str);
-            if let Some(path) = paths.find(|path| is_outside(path)) {
-                return Err(Failure::usage(
-                    format!("{key}: {path:?} lies outside the folder of the server, {}", root.display()),
-                    "copy the file into this folder, or start the server with --root for another one",
-                ));
+            for path in value.as_array().into_iter().flatten().chain([value]).filter_map(Value::as_str) {
+                let is_outside = match files.look(path.as_ref()) {
+                    Ok(look) if look.kind == Kind::Other => {
+                        let rule = "it is neither a file nor a folder";
+                        return Err(self.refused(key, &path.into(), rule));
+                    }
+                    Ok(_) => false,
+                    // Whether a file outside exists is not told.
+                    Err(error) => is_outside(&error) || !lexical(&root.join(path)).starts_with(&root),
+                };
+                if is_outside {
+                    let rule = format!("it lies outside the folder of the server, {}", shown(&root));
+                    let hint =
+                        "copy the file into this folder, or start the server with --root for another one";
+                    return Err(Failure::usage(format!("{key} = {path:?}: {rule}"), hint));
+                }
             }
         }
         Ok(())
@@ -129,6 +133,16 @@ impl Arguments {
         let key = key.split('[').next().unwrap_or_default();
         let text = self.properties.get(key).and_then(|property| property["description"].as_str());
         text.map_or_else(String::new, |text| format!("{key}: {text}"))
+    }
+}
+
+/// Returns true for an argument without a value, such as an empty list of files.
+fn is_empty(value: Option<&Value>) -> bool {
+    match value {
+        None | Some(Value::Null) => true,
+        Some(Value::Array(values)) => values.is_empty(),
+        Some(Value::String(text)) => text.is_empty(),
+        Some(_) => false,
     }
 }
 

@@ -58,6 +58,7 @@ impl Definition {
         properties.retain(|key, _| !self.without.contains(&key.as_str()));
         properties.extend(of(self.more));
         properties.insert("contents".to_owned(), read(CONTENTS).into());
+        properties.values_mut().for_each(make_portable);
         properties
     }
 
@@ -91,6 +92,28 @@ impl Definition {
             "$defs": definitions,
         })
     }
+}
+
+/// Removes null, as every argument may be left out, and lists of types.
+///
+/// Some clients read only schemas with one type each: the inspector of the protocol warns of others.
+fn make_portable(schema: &mut Value) {
+    let Some(schema) = schema.as_object_mut() else { return };
+    if let Some(Value::Array(values)) = schema.get_mut("enum") {
+        values.retain(|value| !value.is_null());
+    }
+    if let Some(Value::Array(types)) = schema.get_mut("type") {
+        types.retain(|name| name != "null");
+        match std::mem::take(types).as_slice() {
+            [name] => schema.insert("type".to_owned(), name.clone()),
+            names => {
+                schema.shift_remove("type");
+                let forms: Vec<Value> = names.iter().map(|name| json!({ "type": name })).collect();
+                schema.insert("anyOf".to_owned(), forms.into())
+            }
+        };
+    }
+    schema.get_mut("items").into_iter().for_each(make_portable);
 }
 
 /// Reads a schema of this program. Tests read all of them.

@@ -35,6 +35,11 @@ Example: {\"files\": [\"bracket.stl\"], \"unit\": \"mm\", \"material\": \"alumin
 pub(super) fn run(mut arguments: Arguments, files: &dyn Files, _: &AtomicBool) -> Result<Outcome, Failure> {
     let links: LinkChoice = arguments.take(["link", "lump", "subtree", "joint"]).read()?;
     let request: Request = arguments.read()?;
+    if request.files.is_empty() && !request.primitive.is_given() {
+        let hint =
+            "name files, or give a shape with its mass: box = \"20 cm, 10 cm, 6 cm\" and mass = \"2.5 kg\"";
+        return Err(Failure::usage("no body is given", hint));
+    }
     let bodies = run_in(&request, files, &mut Readers { files, links: links.require_one()? })?;
     let failures: Vec<Failure> =
         bodies.files.iter().filter_map(|file| file.reports.as_ref().err().cloned()).collect();

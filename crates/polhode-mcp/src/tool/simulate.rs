@@ -37,7 +37,7 @@ How does this body move? For a scenario: a TOML file with the body, its start, t
 Returns the kind of motion, its periods (s), energy (J), angular momentum (kg m²/s), the final state, and the estimated error of the \
 attitude (rad) and of ω (rad/s); ω is along body axes, attitudes are unit quaternions w, x, y, z from body to space. \
 The states between are returned only at the times of at, or as many as samples states. `polhode simulate` writes all of them to a table. \
-Example: {\"file\": \"box.toml\", \"samples\": 5, \"contents\": {\"box.toml\": \"[[body.part]]\\nshape = \\\"box\\\"\\nsize = \\\"(20, 10, 6) cm\\\"\\nmass = 2.5\\n\
+Example: {\"file\": \"box.toml\", \"samples\": 5, \"contents\": {\"box.toml\": \"[[body.part]]\\nshape = 'box'\\nsize = [0.2, 0.1, 0.06]\\nmass = 2.5\\n\
 [start]\\nspin = { body = [0.1, 3, 0.2] }\\n[run]\\nduration = 10\\n\"}}",
     request: REQUEST_SCHEMA,
     report: || REPORT_SCHEMA.as_str(),
@@ -49,7 +49,7 @@ Example: {\"file\": \"box.toml\", \"samples\": 5, \"contents\": {\"box.toml\": \
 /// Arguments that the command does not have.
 #[derive(serde::Deserialize)]
 struct More {
-    samples: Option<usize>,
+    samples: Option<i64>,
 }
 
 pub(super) fn run(
@@ -59,6 +59,7 @@ pub(super) fn run(
 ) -> Result<Outcome, Failure> {
     let More { samples } = arguments.take(["samples"]).read()?;
     let mut request: Request = arguments.read()?;
+    let samples = samples.map(number).transpose()?;
     let asked = request.at.iter().map(|at| at.value.0.len()).sum::<usize>() + samples.unwrap_or_default();
     if asked > MOST {
         return Err(Failure::usage(
@@ -68,7 +69,7 @@ pub(super) fn run(
     }
     let file = ScenarioFile::read(files, &request.file)?;
     if let Some(samples) = samples {
-        request.at.push(spread(samples, &file.scenario)?);
+        request.at.push(spread(samples, &file.scenario));
     }
     let motion = run_watched(&request, file, &mut |_| !cancelled.load(Ordering::Relaxed))?;
     let failure = match motion.trajectory.ending() {
@@ -78,19 +79,21 @@ pub(super) fn run(
     Ok(Outcome::of(&motion, motion.to_text(None), failure.as_slice()))
 }
 
-/// Returns times at equal intervals over the run; none without a run, which is refused later.
-fn spread(samples: usize, scenario: &Scenario) -> Result<Given<Times>, Failure> {
-    let Some(intervals) = samples.checked_sub(1).filter(|intervals| *intervals > 0) else {
-        return Err(Failure::usage(
-            format!("samples = {samples}: must be at least 2"),
-            "leave it out for the final state",
-        ));
-    };
-    let last = scenario.run().and_then(|run| run.times.last().copied());
+/// Returns a valid number of states.
+fn number(samples: i64) -> Result<usize, Failure> {
+    usize::try_from(samples).ok().filter(|samples| (2..=MOST).contains(samples)).ok_or_else(|| {
+        let hint = "leave it out for the final state only";
+        Failure::usage(format!("samples = {samples}: it must be from 2 to {MOST}"), hint)
+    })
+}
+
+/// Returns times at equal intervals over the run, with both its ends; none without a run, which is
+/// refused later.
+fn spread(samples: usize, scenario: &Scenario) -> Given<Times> {
     let first = scenario.start().time;
-    let times = last.map_or_else(Vec::new, |last| {
-        let time = |k: usize| first + (last - first) * (k as f64 / intervals as f64);
-        (0..intervals).map(time).chain([last]).collect()
+    let times = scenario.run().and_then(|run| run.times.last()).map_or_else(Vec::new, |last| {
+        let time = |k: usize| first + (last - first) * (k as f64 / (samples - 1) as f64);
+        (0..samples - 1).map(time).chain([*last]).collect()
     });
-    Ok(Given { text: format!("{samples} samples"), value: Times(times) })
+    Given { text: format!("{samples} samples"), value: Times(times) }
 }

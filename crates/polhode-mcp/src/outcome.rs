@@ -59,3 +59,49 @@ impl From<Failure> for Outcome {
 fn status(failure: &Failure) -> u8 {
     if failure.is_numerical() { 3 } else { 2 }
 }
+
+#[cfg(test)]
+mod tests {
+    use polhode::motion::MotionError;
+    use polhode_document::Document;
+
+    use super::*;
+
+    /// Report with a text of this length.
+    struct Long(usize);
+
+    impl Report for Long {
+        fn to_json(&self) -> Value {
+            "a".repeat(self.0).into()
+        }
+
+        fn to_document(&self) -> Document {
+            Document::of_text("", "")
+        }
+
+        fn has_failed(&self) -> bool {
+            true
+        }
+    }
+
+    #[test]
+    fn a_result_that_is_too_large_is_refused() {
+        let of = |length: usize| Outcome::of(&Long(length), "text".to_owned(), &[]).to_result();
+        // The text, and the quotation marks of the report.
+        let most = LARGEST - 4 - 2;
+        assert_eq!(of(most)["structuredContent"]["exit_status"], 1);
+        let refused = of(most + 1);
+        assert_eq!((&refused["isError"], refused.get("structuredContent")), (&true.into(), None));
+        let text = refused["content"][0]["text"].as_str().unwrap_or_default();
+        assert!(text.starts_with("error: the result has 1000001 bytes") && text.contains("hint: "), "{text}");
+    }
+
+    #[test]
+    fn of_several_failures_the_worst_counts() {
+        let numerical = Failure::of_motion("a.toml".as_ref(), MotionError::NotFinite { time: 1.0 });
+        let usage = Failure::usage("no", "hint");
+        let status = |failures: &[Failure]| Outcome::of(&Long(1), String::new(), failures).status;
+        assert_eq!((status(&[]), status(&[numerical.clone()])), (1, 3));
+        assert_eq!(status(&[usage, numerical]), 2);
+    }
+}

@@ -19,11 +19,11 @@ use crate::session::{Call, Session, Step};
 const WORKERS: usize = 4;
 
 /// Time for calls that are still running at the end of the input.
-const GRACE: Duration = Duration::from_secs(2);
+const GRACE: Duration = Duration::from_secs(5);
 
 /// Answers the messages of `input` on `output` until the input ends. Tools read only `files`.
 ///
-/// Calls that are still running 2 s after the end of the input are abandoned: their threads end with
+/// Calls that are still running 5 s after the end of the input are abandoned: their threads end with
 /// the process.
 ///
 /// # Errors

@@ -19,7 +19,7 @@ Did this program compute the rotation of a rigid body correctly, and if not, wha
 For a log (CSV, Parquet or JSON lines) with times (s), attitudes and optionally angular velocities, compared with the exact motion of a \
 scenario or of a free body with principal moments (kg m²). The conventions of the log (order and sense of quaternions, axes, frame and unit of ω) are detected. \
 The error is an angle (rad). exit_status 1 means that a mistake was found or that the error is above limit. \
-Example: {\"files\": [\"run.csv\"], \"moments\": \"1,2,3\"}",
+Without a scenario, moments is given, such as \"1,2,3\". Example: {\"files\": [\"tumbling.toml\", \"run.csv\"]}",
     request: REQUEST_SCHEMA,
     report: || REPORT_SCHEMA,
     more: "",

@@ -24,6 +24,7 @@ fn files() -> Memory {
         ("bracket.stl", "bracket.stl"),
         ("robot.urdf", "robots/bad-arm.urdf"),
         ("run.csv", "judge/mujoco-rk4.csv"),
+        ("tumbling.toml", "judge/tumbling.toml"),
         ("box.toml", "t-handle.toml"),
     ] {
         files.insert(name, std::fs::read(format!("{examples}/{path}")).unwrap());
@@ -58,7 +59,7 @@ fn tools_are_read_only_and_their_arguments_are_portable() {
         assert_eq!((&input["type"], &tool["outputSchema"]["type"]), (&json!("object"), &json!("object")));
         let text = input.to_string();
         // The inspector of the protocol warns of lists of types.
-        assert!(!text.contains("\"type\":[") && !text.contains("null"), "{text}");
+        assert!(!text.contains("\"type\":[") && !text.contains("null]"), "{text}");
         for key in ["write-mesh", "today"] {
             assert!(input["properties"].get(key).is_none(), "{key}");
         }
@@ -84,7 +85,7 @@ fn texts_among_the_arguments_replace_all_files() {
     let files = Memory::from([("a.toml", part(2.0)), ("b.toml", part(3.0))]);
     let mass = |arguments: Value| {
         let result = call(&json!("inertia"), &arguments, files.clone());
-        result["structuredContent"]["report"]["mass_kg"].clone()
+        result["structuredContent"]["report"]["mass"].clone()
     };
     assert_eq!(mass(json!({ "files": ["a.toml"] })), 2.0);
     assert_eq!(mass(json!({ "files": ["a.toml"], "contents": null })), 2.0);
@@ -93,20 +94,4 @@ fn texts_among_the_arguments_replace_all_files() {
     let result = call(&json!("inertia"), &other, files.clone());
     assert_eq!(result["isError"], true);
     assert!(result["content"][0]["text"].as_str().unwrap().contains("the file does not exist"));
-}
-
-#[test]
-fn a_result_is_not_too_large_for_a_model() {
-    let link = |k: usize| {
-        let inertia = "ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='3'";
-        format!("<link name='l{k}'><inertial><mass value='1.7'/><inertia {inertia}/></inertial></link>")
-    };
-    let joint =
-        |k: usize| format!("<joint name='j{k}' type='fixed'><parent link='l0'/><child link='l{k}'/></joint>");
-    let links: String = (0..1500).map(link).chain((1..1500).map(joint)).collect();
-    let files = Memory::from([("many.urdf", format!("<robot name='many'>{links}</robot>"))]);
-    let result = call(&json!("check"), &json!({ "files": ["many.urdf"] }), files);
-    assert_eq!((&result["isError"], result.get("structuredContent")), (&json!(true), None));
-    let text = result["content"][0]["text"].as_str().unwrap();
-    assert!(text.contains("a tool returns at most 1000000") && text.contains("hint: "), "{text}");
 }

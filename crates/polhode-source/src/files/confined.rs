@@ -95,7 +95,12 @@ impl Files for Confined<'_> {
     }
 
     fn entries(&self, folder: &Path) -> io::Result<Vec<(PathBuf, Kind)>> {
-        self.files.entries(&self.require(folder)?)
+        // Paths begin with the folder as it was named, as for other sources of files.
+        let named = |(path, kind): (PathBuf, Kind)| match path.file_name() {
+            Some(name) => (folder.join(name), kind),
+            None => (path, kind),
+        };
+        Ok(self.files.entries(&self.require(folder)?)?.into_iter().map(named).collect())
     }
 
     /// Returns the canonical path of a file that is named relative to a folder, or by an absolute

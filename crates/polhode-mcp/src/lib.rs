@@ -16,7 +16,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
-mod definition;
+mod command;
 mod message;
 mod outcome;
 mod server;

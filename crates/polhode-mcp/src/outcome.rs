@@ -19,13 +19,20 @@ pub(crate) struct Outcome {
 
 impl Outcome {
     /// Creates the outcome of a report; failures are those of some of its files.
-    pub(crate) fn of(report: &dyn Report, text: String, failures: &[Failure]) -> Self {
-        let found = u8::from(report.has_failed());
-        let statuses = failures.iter().map(status).chain([found]);
-        let status = statuses.max_by_key(|status| [0, 1, 3, 2].iter().position(|one| one == status));
-        let texts = Some(text).filter(|text| !text.is_empty()).into_iter();
-        let texts: Vec<String> = texts.chain(failures.iter().map(Failure::to_string)).collect();
-        Self { text: texts.join("\n"), report: Some(report.to_json()), status: status.unwrap_or_default() }
+    pub(crate) fn of<'a>(
+        report: &dyn Report,
+        mut text: String,
+        failures: impl Iterator<Item = &'a Failure>,
+    ) -> Self {
+        let mut statuses = vec![u8::from(report.has_failed())];
+        for failure in failures {
+            text += if text.is_empty() { "" } else { "\n" };
+            text += &failure.to_string();
+            statuses.push(status(failure));
+        }
+        // From the best to the worst.
+        let worst = [0, 1, 3, 2].into_iter().rfind(|status| statuses.contains(status));
+        Self { text, report: Some(report.to_json()), status: worst.unwrap_or_default() }
     }
 
     /// Returns the result of the call.
@@ -86,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_result_that_is_too_large_is_refused() {
-        let of = |length: usize| Outcome::of(&Long(length), "text".to_owned(), &[]).to_result();
+        let of = |length: usize| Outcome::of(&Long(length), "text".to_owned(), [].iter()).to_result();
         // The text, and the quotation marks of the report.
         let most = LARGEST - 4 - 2;
         assert_eq!(of(most)["structuredContent"]["exit_status"], 1);
@@ -100,7 +107,7 @@ mod tests {
     fn of_several_failures_the_worst_counts() {
         let numerical = Failure::of_motion("a.toml".as_ref(), MotionError::NotFinite { time: 1.0 });
         let usage = Failure::usage("no", "hint");
-        let status = |failures: &[Failure]| Outcome::of(&Long(1), String::new(), failures).status;
+        let status = |failures: &[Failure]| Outcome::of(&Long(1), String::new(), failures.iter()).status;
         assert_eq!((status(&[]), status(&[numerical.clone()])), (1, 3));
         assert_eq!(status(&[usage, numerical]), 2);
     }

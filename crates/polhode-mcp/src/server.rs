@@ -1,10 +1,10 @@
-//! The server: one thread reads messages, and several run the calls.
+//! The server: one thread reads messages, and each call of a tool has a thread.
 
 use std::collections::HashMap;
 use std::io::{self, BufRead, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
@@ -15,8 +15,8 @@ use serde_json::Value;
 use crate::message::ProtocolError;
 use crate::session::{Call, Session, Step};
 
-/// Number of calls that run at the same time.
-const WORKERS: usize = 4;
+/// Largest number of calls that run at the same time.
+const MOST: usize = 16;
 
 /// Time for calls that are still running at the end of the input.
 const GRACE: Duration = Duration::from_secs(5);
@@ -33,17 +33,7 @@ where
     F: Files + Send + 'static,
 {
     let server = Arc::new(Server { output: Mutex::new(output), files, running: Mutex::default() });
-    let (calls, queue) = channel();
-    let queue = Arc::new(Mutex::new(queue));
     let (working, ended) = channel::<()>();
-    for _ in 0..WORKERS {
-        let (server, queue, working) = (server.clone(), queue.clone(), working.clone());
-        thread::Builder::new().spawn(move || {
-            server.work(&queue);
-            drop(working);
-        })?;
-    }
-    drop(working);
     let mut session = Session::default();
     for line in input.split(b'\n') {
         let line = line?;
@@ -55,18 +45,20 @@ where
             Step::Send(message) => server.send(&message)?,
             Step::Cancel(id) => server.cancel(&id),
             Step::Start(call) => match server.begin(&call.id) {
-                // The workers hold the other end until this one is dropped.
-                Some(cancelled) => _ = calls.send((call, cancelled)),
-                None => {
-                    let rule = "a request with this id is still running";
-                    let error = ProtocolError::new(ProtocolError::INVALID_REQUEST, rule);
-                    server.send(&error.answer(&call.id))?;
+                Ok(cancelled) => {
+                    let (server, working) = (server.clone(), working.clone());
+                    thread::Builder::new().spawn(move || {
+                        // If the output is closed, the client is gone, and the input ends too.
+                        let _ = server.run(call, &cancelled);
+                        drop(working);
+                    })?;
                 }
+                Err(error) => server.send(&error.answer(&call.id))?,
             },
         }
     }
-    drop(calls);
-    // Disconnected as soon as all workers have ended.
+    drop(working);
+    // Disconnected as soon as all threads have ended.
     let _ = ended.recv_timeout(GRACE);
     Ok(())
 }
@@ -75,12 +67,9 @@ where
 struct Server<W, F> {
     output: Mutex<W>,
     files: F,
-    /// Calls that wait or run, by id, each with its cancellation.
+    /// Running calls by id, each with its cancellation.
     running: Mutex<HashMap<String, Arc<AtomicBool>>>,
 }
-
-/// Call with its cancellation.
-type Started = (Call, Arc<AtomicBool>);
 
 impl<W: Write, F: Files> Server<W, F> {
     /// Writes a message as one line.
@@ -90,14 +79,15 @@ impl<W: Write, F: Files> Server<W, F> {
         output.flush()
     }
 
-    /// Registers a call; `None` if its id is in use.
-    fn begin(&self, id: &Value) -> Option<Arc<AtomicBool>> {
+    /// Registers a call and returns its cancellation.
+    fn begin(&self, id: &Value) -> Result<Arc<AtomicBool>, ProtocolError> {
         let mut running = lock(&self.running);
-        let key = id.to_string();
-        if running.contains_key(&key) {
-            return None;
+        let refused = |rule: String| Err(ProtocolError::new(ProtocolError::INVALID_REQUEST, rule));
+        match id.to_string() {
+            key if running.contains_key(&key) => refused(format!("a call with the id {key} is running")),
+            _ if running.len() >= MOST => refused(format!("{MOST} calls are running: wait for one")),
+            key => Ok(running.entry(key).or_default().clone()),
         }
-        Some(running.entry(key).or_default().clone())
     }
 
     /// Cancels a call, if it has not ended.
@@ -107,32 +97,17 @@ impl<W: Write, F: Files> Server<W, F> {
         }
     }
 
-    /// Runs calls until the queue ends.
-    fn work(&self, queue: &Mutex<Receiver<Started>>) {
-        loop {
-            let next = lock(queue).recv();
-            let Ok((call, cancelled)) = next else { return };
-            let Call { id, era, tool, arguments } = call;
-            let is_cancelled = || cancelled.load(Ordering::Relaxed);
-            let run = || tool.call(arguments, &self.files, &cancelled);
-            // A panic is a bug; the client gets an answer all the same.
-            let outcome = if is_cancelled() { None } else { Some(catch_unwind(AssertUnwindSafe(run))) };
-            lock(&self.running).remove(&id.to_string());
-            let answer = match outcome {
-                _ if is_cancelled() => continue,
-                None => continue,
-                Some(Ok(outcome)) => era.answer(&id, outcome.to_result()),
-                Some(Err(_)) => {
-                    let what = format!(
-                        "{} failed: please report this bug, with its arguments",
-                        tool.definition.name
-                    );
-                    ProtocolError::new(ProtocolError::INTERNAL, what).answer(&id)
-                }
-            };
-            // If the output is closed, the client is gone, and the input ends too.
-            let _ = self.send(&answer);
-        }
+    /// Runs a call and sends its answer, unless it was cancelled.
+    fn run(&self, call: Call, cancelled: &AtomicBool) -> io::Result<()> {
+        let Call { id, era, tool, arguments } = call;
+        let run = || era.answer(&id, tool.call(arguments, &self.files, cancelled).to_result());
+        // A panic is a bug; the client gets an answer all the same.
+        let answer = catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| {
+            let what = format!("{} failed: please report this bug, with its arguments", tool.name);
+            ProtocolError::new(ProtocolError::INTERNAL, what).answer(&id)
+        });
+        lock(&self.running).remove(&id.to_string());
+        if cancelled.load(Ordering::Relaxed) { Ok(()) } else { self.send(&answer) }
     }
 }
 

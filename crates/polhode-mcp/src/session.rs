@@ -6,7 +6,7 @@
 use polhode_document::VERSION;
 use serde_json::{Map, Value, json};
 
-use crate::message::{Message, ProtocolError, Request, read};
+use crate::message::{Message, ProtocolError, read};
 use crate::tool::{TOOLS, Tool};
 
 /// Version that each request states.
@@ -17,15 +17,7 @@ const AGREED: [&str; 3] = ["2024-11-05", "2025-06-18", "2025-11-25"];
 const VERSION_KEY: &str = "io.modelcontextprotocol/protocolVersion";
 const CAPABILITIES_KEY: &str = "io.modelcontextprotocol/clientCapabilities";
 
-/// Time for which a client may keep the list of tools, ms.
-const FRESH: u32 = 3_600_000;
-
-const INSTRUCTIONS: &str = "\
-polhode computes mass properties and rotational motion of rigid bodies, and checks robot models and logs of simulators. \
-Prefer it to a hand-written check. Numbers in reports are in SI units. A quantity in an argument is a text with its unit, \
-such as \"85 g\", or a number in SI units. Paths are relative to the folder of the server; no file is written. \
-Messages name options of the command: --unit mm is the argument unit with the value \"mm\". \
-exit_status in a result: 0 success, 1 findings, 2 invalid input, 3 tolerance not reached.";
+const INSTRUCTIONS: &str = include_str!("../text/instructions.md");
 
 /// State of a connection.
 #[derive(Debug, Default)]
@@ -67,77 +59,68 @@ pub(crate) enum Era {
 impl Session {
     /// Returns the action that a line requires.
     pub(crate) fn step(&mut self, line: &[u8]) -> Step {
-        let request = match read(line) {
-            Ok(Message::Request(request)) => request,
-            Ok(Message::Notification { method, mut params }) => match params.remove("requestId") {
-                Some(id) if method == "notifications/cancelled" => return Step::Cancel(id),
-                _ => return Step::Nothing,
-            },
-            Ok(Message::Answer) => return Step::Nothing,
-            Err(answer) => return Step::Send(answer),
-        };
-        let id = request.id.clone();
-        self.of_request(request).unwrap_or_else(|error| Step::Send(error.answer(&id)))
-    }
-
-    fn of_request(&mut self, mut request: Request) -> Result<Step, ProtocolError> {
-        let era = self.era(&request)?;
-        let (id, params) = (&request.id, &request.params);
-        let send = |result: Value| Ok(Step::Send(era.answer(id, result)));
-        match (request.method.as_str(), era) {
-            ("initialize", Era::Agreed) => {
-                let version = agreed(params.get("protocolVersion"))?;
-                self.has_begun = true;
-                send(json!({
-                    "protocolVersion": version,
-                    "capabilities": { "tools": {} },
-                    "serverInfo": server_info(),
-                    "instructions": INSTRUCTIONS,
-                }))
+        match read(line) {
+            Ok(Message::Request { id, method, params }) => {
+                self.answer(&id, &method, params).unwrap_or_else(|error| Step::Send(error.answer(&id)))
             }
-            ("ping", Era::Agreed) => send(json!({})),
-            ("server/discover", Era::Stated) => send(cacheable(json!({
-                "supportedVersions": [STATED],
-                "capabilities": { "tools": {} },
-                "instructions": INSTRUCTIONS,
-            }))),
-            ("tools/list", _) => match params.get("cursor") {
-                None | Some(Value::Null) => {
-                    let tools: Vec<Value> = TOOLS.iter().map(|tool| tool.definition.to_json()).collect();
-                    let list = json!({ "tools": tools });
-                    send(if era == Era::Stated { cacheable(list) } else { list })
-                }
-                Some(_) => Err(invalid("unknown cursor: the list of tools is one page")),
-            },
-            ("tools/call", _) => {
-                let (tool, arguments) = called(&mut request.params)?;
-                Ok(Step::Start(Call { id: request.id, era, tool, arguments }))
+            Ok(Message::Notification { method, mut params }) if method == "notifications/cancelled" => {
+                params.remove("requestId").map_or(Step::Nothing, Step::Cancel)
             }
-            (unknown, _) => {
-                let message = format!("unknown method {unknown:?}");
-                Err(ProtocolError::new(ProtocolError::UNKNOWN_METHOD, message))
-            }
+            Ok(_) => Step::Nothing,
+            Err(answer) => Step::Send(answer),
         }
     }
 
+    fn answer(
+        &mut self,
+        id: &Value,
+        method: &str,
+        params: Map<String, Value>,
+    ) -> Result<Step, ProtocolError> {
+        let era = self.era(method, &params)?;
+        let tools = json!({ "tools": {} });
+        let result = match (method, era) {
+            ("initialize", Era::Agreed) => {
+                let version = agreed(&params)?;
+                self.has_begun = true;
+                json!({ "protocolVersion": version, "capabilities": tools, "serverInfo": server(), "instructions": INSTRUCTIONS })
+            }
+            ("ping", Era::Agreed) => json!({}),
+            ("server/discover", Era::Stated) => {
+                json!({ "supportedVersions": [STATED], "capabilities": tools, "instructions": INSTRUCTIONS })
+            }
+            ("tools/list", _) if params.get("cursor").is_none_or(Value::is_null) => {
+                json!({ "tools": TOOLS.iter().map(Tool::definition).collect::<Vec<_>>() })
+            }
+            ("tools/list", _) => return Err(ProtocolError::params("unknown cursor: the list has one page")),
+            ("tools/call", _) => {
+                let (tool, arguments) = called(params)?;
+                return Ok(Step::Start(Call { id: id.clone(), era, tool, arguments }));
+            }
+            _ => {
+                let message = format!("unknown method {method:?}");
+                return Err(ProtocolError::new(ProtocolError::UNKNOWN_METHOD, message));
+            }
+        };
+        Ok(Step::Send(era.answer(id, result)))
+    }
+
     /// Returns the way in which a request states its version.
-    fn era(&self, request: &Request) -> Result<Era, ProtocolError> {
-        let meta = request.params.get("_meta");
-        let of = |key: &str| meta.and_then(|meta| meta.get(key));
+    fn era(&self, method: &str, params: &Map<String, Value>) -> Result<Era, ProtocolError> {
+        let of = |key: &str| params.get("_meta").and_then(|meta| meta.get(key));
         match of(VERSION_KEY) {
-            None if self.has_begun || matches!(request.method.as_str(), "initialize" | "ping") => {
-                Ok(Era::Agreed)
+            None if self.has_begun || matches!(method, "initialize" | "ping") => Ok(Era::Agreed),
+            None => {
+                let rule = format!("_meta has no {VERSION_KEY}, and there was no initialize");
+                Err(ProtocolError::params(rule))
             }
-            None => Err(invalid(format!("_meta has no {VERSION_KEY}, and there was no initialize"))),
-            Some(Value::String(version)) if version == STATED => match of(CAPABILITIES_KEY) {
-                Some(Value::Object(_)) => Ok(Era::Stated),
-                _ => Err(invalid(format!("_meta has no {CAPABILITIES_KEY}"))),
-            },
-            Some(Value::String(version)) => {
-                let error = ProtocolError::new(ProtocolError::VERSION, "Unsupported protocol version");
-                Err(error.with(json!({ "supported": [STATED], "requested": version })))
+            Some(version) if version != STATED => {
+                let data = json!({ "supported": [STATED], "requested": version });
+                let error = ProtocolError::new(ProtocolError::VERSION, "unsupported protocol version");
+                Err(ProtocolError { data, ..error })
             }
-            Some(_) => Err(invalid(format!("{VERSION_KEY} must be a text"))),
+            _ if of(CAPABILITIES_KEY).is_some_and(Value::is_object) => Ok(Era::Stated),
+            _ => Err(ProtocolError::params(format!("_meta has no {CAPABILITIES_KEY}"))),
         }
     }
 }
@@ -147,51 +130,43 @@ impl Era {
     pub(crate) fn answer(self, id: &Value, mut result: Value) -> Value {
         if self == Self::Stated {
             result["resultType"] = "complete".into();
-            result["_meta"] = json!({ "io.modelcontextprotocol/serverInfo": server_info() });
+            result["_meta"] = json!({ "io.modelcontextprotocol/serverInfo": server() });
+            // The tools and the versions stay the same while the server runs: hints for caches.
+            if result.get("content").is_none() {
+                result["ttlMs"] = 3_600_000.into();
+                result["cacheScope"] = "public".into();
+            }
         }
         json!({ "jsonrpc": "2.0", "id": id, "result": result })
     }
 }
 
-fn server_info() -> Value {
+fn server() -> Value {
     json!({ "name": "polhode", "title": "polhode: rigid-body dynamics", "version": VERSION })
-}
-
-/// Adds the hints for caches.
-fn cacheable(mut result: Value) -> Value {
-    result["ttlMs"] = FRESH.into();
-    result["cacheScope"] = "public".into();
-    result
 }
 
 /// Returns the version for a handshake: the newest one that is not newer than the requested one,
 /// otherwise the newest.
-fn agreed(requested: Option<&Value>) -> Result<&'static str, ProtocolError> {
+fn agreed(params: &Map<String, Value>) -> Result<&'static str, ProtocolError> {
     let [.., newest] = AGREED;
-    match requested {
-        Some(Value::String(requested)) => {
-            Ok(AGREED.into_iter().rfind(|version| *version <= requested.as_str()).unwrap_or(newest))
+    match params.get("protocolVersion") {
+        Some(Value::String(asked)) => {
+            Ok(AGREED.into_iter().rfind(|version| *version <= asked.as_str()).unwrap_or(newest))
         }
-        _ => Err(invalid("protocolVersion must be a text")),
+        _ => Err(ProtocolError::params("protocolVersion must be a text")),
     }
 }
 
 /// Returns the tool of a call, and its arguments.
-fn called(params: &mut Map<String, Value>) -> Result<(&'static Tool, Map<String, Value>), ProtocolError> {
-    let Some(Value::String(name)) = params.get("name") else {
-        return Err(invalid("name must be the name of a tool"));
-    };
-    let tool = TOOLS.iter().find(|tool| tool.definition.name == name).ok_or_else(|| {
-        let names: Vec<&str> = TOOLS.iter().map(|tool| tool.definition.name).collect();
-        invalid(format!("unknown tool {name:?}; the tools are {}", names.join(", ")))
+fn called(mut params: Map<String, Value>) -> Result<(&'static Tool, Map<String, Value>), ProtocolError> {
+    let name = params.get("name").and_then(Value::as_str).unwrap_or_default();
+    let tool = TOOLS.iter().find(|tool| tool.name == name).ok_or_else(|| {
+        let names: Vec<&str> = TOOLS.iter().map(|tool| tool.name).collect();
+        ProtocolError::params(format!("unknown tool {name:?}; the tools are {}", names.join(", ")))
     })?;
     match params.remove("arguments") {
         None | Some(Value::Null) => Ok((tool, Map::new())),
         Some(Value::Object(arguments)) => Ok((tool, arguments)),
-        Some(_) => Err(invalid("arguments must be an object")),
+        Some(_) => Err(ProtocolError::params("arguments must be an object")),
     }
-}
-
-fn invalid(rule: impl Into<String>) -> ProtocolError {
-    ProtocolError::new(ProtocolError::INVALID_PARAMS, rule)
 }

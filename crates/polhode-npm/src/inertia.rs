@@ -3,11 +3,9 @@
 use std::path::Path;
 
 use polhode_document::Report as _;
-use polhode_robot::LinkChoice;
-use polhode_robot::read::is_model;
+use polhode_robot::{LinkChoice, LinkHost};
 use polhode_scenario::read::ScenarioFile;
-use polhode_shape::report::InertiaReport;
-use polhode_shape::{Host, Kind, Request, run_in};
+use polhode_shape::{Request, run_in};
 use polhode_source::Failure;
 use polhode_source::files::Files;
 use serde_json::{Map, Value};
@@ -33,7 +31,8 @@ pub(crate) fn outcome(mut request: Map<String, Value>, files: &dyn Files) -> Out
         Ok(read) => read,
         Err(failure) => return failure.into(),
     };
-    let mut host = Package { files, links };
+    let scenario = |files: &dyn Files, file: &Path| Ok(ScenarioFile::read(files, file)?.inertia());
+    let mut host = LinkHost { files, links, scenario };
     let bodies = match run_in(&request, files, &mut host) {
         Ok(bodies) => bodies,
         Err(failure) => return failure.into(),
@@ -59,27 +58,4 @@ fn without_output(request: Request) -> Result<Request, Failure> {
         return Err(Failure::usage(message, "leave it out; `polhode inertia --write-mesh` writes the mesh"));
     }
     Ok(request)
-}
-
-/// Readers of scenarios and robot models.
-struct Package<'a> {
-    files: &'a dyn Files,
-    links: LinkChoice,
-}
-
-impl Host for Package<'_> {
-    fn is_robot(&self, file: &Path) -> bool {
-        is_model(self.files, file)
-    }
-
-    fn robot_option(&self) -> Option<&'static str> {
-        self.links.given()
-    }
-
-    fn reports(&self, file: &Path, kind: Kind) -> Result<Vec<InertiaReport>, Failure> {
-        match kind {
-            Kind::Robot => self.links.reports(self.files, file),
-            _ => Ok(vec![ScenarioFile::read(self.files, file)?.inertia()]),
-        }
-    }
 }

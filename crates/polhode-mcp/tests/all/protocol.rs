@@ -96,7 +96,7 @@ fn invalid_messages_have_their_errors() {
         (r#"{"jsonrpc": "2.0", "id": 5.5, "method": "ping"}"#, -32600, json!(null)),
         (r#"{"jsonrpc": "2.0", "id": 5}"#, -32600, json!(5)),
         (r#"{"jsonrpc": "2.0", "id": 5, "method": 3}"#, -32600, json!(5)),
-        (r#"{"jsonrpc": "2.0", "id": 5, "method": "ping", "params": [1]}"#, -32602, json!(5)),
+        (r#"{"jsonrpc": "2.0", "id": 5, "method": "ping", "params": [1]}"#, -32600, json!(5)),
         (r#"{"jsonrpc": "2.0", "id": 5, "method": "initialize", "params": {}}"#, -32602, json!(5)),
         (&call(r#""name": "spin""#), -32602, json!(5)),
         (&call(r#""arguments": {}"#), -32602, json!(5)),

@@ -72,12 +72,18 @@ impl<'a> Confined<'a> {
     }
 
     /// # Errors
-    /// [`io::ErrorKind::PermissionDenied`] with [`NotOpened::Outside`] if the path is outside the
-    /// folders.
+    /// [`io::ErrorKind::PermissionDenied`] if the path is outside the folders, whether or not a file
+    /// is there.
     fn require(&self, path: &Path) -> io::Result<PathBuf> {
-        let path = self.files.canonical(path)?;
-        let outside = || io::Error::new(io::ErrorKind::PermissionDenied, NotOpened::Outside);
-        if self.holds(&path) { Ok(path) } else { Err(outside()) }
+        let here = || self.files.canonical(Path::new(".")).unwrap_or_default();
+        match self.files.canonical(path) {
+            Ok(path) if self.holds(&path) => Ok(path),
+            Err(error) if self.holds(&lexical(&here().join(path))) => Err(error),
+            Ok(_) | Err(_) => {
+                let rule = "it lies outside the folders that may be read; --root DIR allows another one";
+                Err(io::Error::new(io::ErrorKind::PermissionDenied, rule))
+            }
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 use crate::{Outcome, read, root};
 
 /// Crates, each with the crates that it may use.
-const MAY_USE: [(&str, &[&str]); 17] = [
+const MAY_USE: [(&str, &[&str]); 18] = [
     ("polhode", &[]),
     ("polhode-source", &["polhode"]),
     ("polhode-document", &["polhode"]),
@@ -21,7 +21,8 @@ const MAY_USE: [(&str, &[&str]); 17] = [
     ("polhode-npm", FRONT.split_at(7).0),
     ("polhode-wasm", &["polhode-source", "polhode-web", "polhode-npm"]),
     ("polhode-live", &["polhode-source", "polhode-web"]),
-    ("polhode-cli", FRONT.split_at(13).0),
+    ("polhode-mcp", FRONT.split_at(8).0),
+    ("polhode-cli", FRONT.split_at(14).0),
     ("polhode-py", &FRONT),
 ];
 
@@ -30,7 +31,7 @@ const WITH_SHAPE: [&str; 5] =
     ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape"];
 const SLICE: [&str; 6] =
     ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape", "polhode-scenario"];
-const FRONT: [&str; 14] = [
+const FRONT: [&str; 15] = [
     "polhode",
     "polhode-source",
     "polhode-document",
@@ -44,6 +45,7 @@ const FRONT: [&str; 14] = [
     "polhode-sweep",
     "polhode-web",
     "polhode-live",
+    "polhode-mcp",
     "polhode-cli",
 ];
 

@@ -26,7 +26,7 @@ const MODULES: [&str; 13] = [
 ];
 
 /// Paths, with the words that files below them must not use, and the reason.
-const FORBIDDEN: [(&str, &[&str], &str); 15] = [
+const FORBIDDEN: [(&str, &[&str], &str); 16] = [
     (
         "crates/polhode/src/",
         &[
@@ -62,6 +62,11 @@ const FORBIDDEN: [(&str, &[&str], &str); 15] = [
     ("crates/polhode-budget/src/", &OUTSIDE, FILES),
     ("crates/polhode-robot/src/", &OUTSIDE, FILES),
     ("crates/polhode-web/src/", &OUTSIDE, FILES),
+    (
+        "crates/polhode-mcp/src/",
+        &["std::fs", "File::open", "std::env", "print!", "println!"],
+        "it meets its client through the given streams, and files through `Files` alone",
+    ),
     ("crates/polhode-npm/src/", &OUTSIDE, FILES),
     ("crates/polhode-wasm/src/", &OUTSIDE, FILES),
 ];

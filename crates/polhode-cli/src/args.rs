@@ -18,6 +18,8 @@ use crate::inertia::Inertia;
 use crate::judge::Judge;
 #[cfg(feature = "live")]
 use crate::live::Live;
+#[cfg(feature = "mcp")]
+use crate::mcp::Mcp;
 use crate::new::New;
 use crate::schema::Schema;
 use crate::shell::{Completions, Man};
@@ -80,6 +82,8 @@ pub(crate) enum Command {
     Budget(Box<BudgetCommand>),
     #[cfg(feature = "live")]
     Live(Live),
+    #[cfg(feature = "mcp")]
+    Mcp(Mcp),
     Schema(Schema),
     Completions(Completions),
     Man(Man),
@@ -107,6 +111,8 @@ impl Command {
             Self::Budget(command) => command.run(),
             #[cfg(feature = "live")]
             Self::Live(command) => command.run(),
+            #[cfg(feature = "mcp")]
+            Self::Mcp(command) => command.run(),
             Self::Schema(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),
             Self::Man(command) => command.run(Polhode::command()),

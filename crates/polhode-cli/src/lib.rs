@@ -24,6 +24,8 @@ mod inertia;
 mod judge;
 #[cfg(feature = "live")]
 mod live;
+#[cfg(feature = "mcp")]
+mod mcp;
 mod new;
 mod page;
 mod partial;

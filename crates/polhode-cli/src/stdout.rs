@@ -29,7 +29,8 @@ pub(crate) fn print_script(data: &[u8]) -> Result<(), Failure> {
     finished(out.write_all(data).and_then(|()| out.flush()))
 }
 
-fn finished(written: io::Result<()>) -> Result<(), Failure> {
+/// Returns the failure of writing to standard output; a closed pipe is not an error.
+pub(crate) fn finished(written: io::Result<()>) -> Result<(), Failure> {
     written.map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::ClosedPipe,
         _ => Failure::Output { path: "standard output".to_owned(), error },

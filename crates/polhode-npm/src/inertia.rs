@@ -3,11 +3,9 @@
 use std::path::Path;
 
 use polhode_document::Report as _;
-use polhode_robot::LinkChoice;
-use polhode_robot::read::is_model;
+use polhode_robot::{LinkChoice, LinkHost};
 use polhode_scenario::read::ScenarioFile;
-use polhode_shape::report::InertiaReport;
-use polhode_shape::{Host, Kind, Request, run_in};
+use polhode_shape::{Request, run_in};
 use polhode_source::Failure;
 use polhode_source::files::Files;
 use serde_json::{Map, Value};
@@ -25,15 +23,16 @@ pub(crate) fn outcome(mut request: Map<String, Value>, files: &dyn Files) -> Out
         LINK_KEYS.iter().filter_map(|key| request.shift_remove_entry(*key)).collect();
     let read = || -> Result<(LinkChoice, Request), Failure> {
         let of = |object| Value::Object(object);
-        let links = serde_json::from_value(of(links)).map_err(|error| invalid(&error))?;
+        let links: LinkChoice = serde_json::from_value(of(links)).map_err(|error| invalid(&error))?;
         let request: Request = serde_json::from_value(of(request)).map_err(|error| invalid(&error))?;
-        Ok((one_choice(links)?, without_output(request)?))
+        Ok((links.require_one()?, without_output(request)?))
     };
     let (links, request) = match read() {
         Ok(read) => read,
         Err(failure) => return failure.into(),
     };
-    let mut host = Package { files, links };
+    let scenario = |files: &dyn Files, file: &Path| Ok(ScenarioFile::read(files, file)?.inertia());
+    let mut host = LinkHost { files, links, scenario };
     let bodies = match run_in(&request, files, &mut host) {
         Ok(bodies) => bodies,
         Err(failure) => return failure.into(),
@@ -52,28 +51,6 @@ pub(crate) fn outcome(mut request: Map<String, Value>, files: &dyn Files) -> Out
     })
 }
 
-/// Refuses two selections of links, and joint values without a selection that uses them.
-fn one_choice(links: LinkChoice) -> Result<LinkChoice, Failure> {
-    let given = [
-        ("link", links.link.is_some()),
-        ("lump", links.lump.is_some()),
-        ("subtree", links.subtree.is_some()),
-    ];
-    let mut given = given.into_iter().filter_map(|(key, is_given)| is_given.then_some(key));
-    let (first, second) = (given.next(), given.next());
-    if let (Some(first), Some(second)) = (first, second) {
-        return Err(Failure::usage(
-            format!("{first} and {second} contradict each other"),
-            "leave one of them out",
-        ));
-    }
-    if !links.joints.is_empty() && matches!(first, None | Some("link")) {
-        let hint = "give lump or subtree, or leave joint out";
-        return Err(Failure::usage("joint is only for joined links of a robot", hint));
-    }
-    Ok(links)
-}
-
 /// Refuses a request that writes a file.
 fn without_output(request: Request) -> Result<Request, Failure> {
     if request.mesh.write_mesh.is_some() {
@@ -81,27 +58,4 @@ fn without_output(request: Request) -> Result<Request, Failure> {
         return Err(Failure::usage(message, "leave it out; `polhode inertia --write-mesh` writes the mesh"));
     }
     Ok(request)
-}
-
-/// Readers of scenarios and robot models.
-struct Package<'a> {
-    files: &'a dyn Files,
-    links: LinkChoice,
-}
-
-impl Host for Package<'_> {
-    fn is_robot(&self, file: &Path) -> bool {
-        is_model(self.files, file)
-    }
-
-    fn robot_option(&self) -> Option<&'static str> {
-        self.links.given()
-    }
-
-    fn reports(&self, file: &Path, kind: Kind) -> Result<Vec<InertiaReport>, Failure> {
-        match kind {
-            Kind::Robot => self.links.reports(self.files, file),
-            _ => Ok(vec![ScenarioFile::read(self.files, file)?.inertia()]),
-        }
-    }
 }

@@ -37,6 +37,7 @@ mod json;
 pub mod line_index;
 mod link_choice;
 mod link_error;
+mod link_host;
 pub mod link_table;
 mod link_tables;
 pub mod lump;
@@ -61,12 +62,16 @@ mod text;
 pub use checked::{Checked, FileChecked, Fix, Format};
 pub use link_choice::{JointValue, LinkChoice, Which};
 pub use link_error::LinkError;
+pub use link_host::LinkHost;
 pub use link_tables::LinkTables;
 pub use request::Request;
 pub use run::{Inputs, Progress, run};
 
 /// JSON schema of a [`Request`].
 pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
+
+/// JSON schema of a [`LinkChoice`] without its table.
+pub const LINK_CHOICE_SCHEMA: &str = include_str!("../schema/link-choice.json");
 
 /// JSON schema of the report of a [`Checked`].
 pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");

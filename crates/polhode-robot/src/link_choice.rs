@@ -107,6 +107,32 @@ impl LinkChoice {
         }
     }
 
+    /// Refuses two selections of links, and joint values without a selection that uses them, as the
+    /// definitions of the command do.
+    ///
+    /// # Errors
+    /// [`Failure`] that names the keys.
+    pub fn require_one(self) -> Result<Self, Failure> {
+        let given = [
+            ("link", self.link.is_some()),
+            ("lump", self.lump.is_some()),
+            ("subtree", self.subtree.is_some()),
+        ];
+        let mut given = given.into_iter().filter_map(|(key, is_given)| is_given.then_some(key));
+        let (first, second) = (given.next(), given.next());
+        if let (Some(first), Some(second)) = (first, second) {
+            return Err(Failure::usage(
+                format!("{first} and {second} contradict each other"),
+                "leave one of them out",
+            ));
+        }
+        if !self.joints.is_empty() && matches!(first, None | Some("link")) {
+            let hint = "give lump or subtree, or leave joint out";
+            return Err(Failure::usage("joint is only for joined links of a robot", hint));
+        }
+        Ok(self)
+    }
+
     /// Returns a report for the selected link, or for each body of joined links.
     ///
     /// # Errors

@@ -85,7 +85,8 @@ pub fn unchanged(now: Look, before: &Look) -> io::Result<()> {
 pub fn failed(written: &str, error: &io::Error) -> FormatErrorKind {
     let why = match error.kind() {
         io::ErrorKind::NotFound => "the file does not exist".to_owned(),
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        // Files of some folders only state which rule a path breaks.
+        io::ErrorKind::PermissionDenied if error.get_ref().is_none() => "permission denied".to_owned(),
         io::ErrorKind::IsADirectory => "it is a directory".to_owned(),
         io::ErrorKind::UnexpectedEof => SHORTER.to_owned(),
         _ => error.to_string(),

@@ -17,6 +17,9 @@ struct Pages {
 const COOKBOOK: Pages = Pages { folder: "book/cookbook", index: "book/cookbook/README.md", least: 15 };
 const TUTORIALS: Pages = Pages { folder: "book/tutorials", index: "book/README.md", least: 6 };
 
+/// Instructions for coding agents.
+const SKILL: &str = "integrations/skill/polhode/SKILL.md";
+
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
@@ -33,12 +36,27 @@ fn the_tutorials_are_what_their_commands_print() {
 
 #[test]
 fn the_readme_and_the_first_steps_are_what_their_commands_print() {
-    for page in ["README.md", "book/start.md"] {
+    for page in ["README.md", "book/start.md", SKILL] {
         let scratch = Scratch::new(&format!("page-{}", page.replace('/', "-")));
         copy(&root().join("examples"), &scratch.0.join("examples"));
         let followed = follow(&root().join(page), &scratch);
-        assert!(followed.commands > 0 && followed.excerpts > 0, "{page} shows no command and what it prints");
+        // The skill states where to read in the output, and shows none.
+        let shows = page == SKILL || followed.excerpts > 0;
+        assert!(followed.commands > 0 && shows, "{page} shows no command and what it prints");
     }
+}
+
+/// The format limits a skill: <https://agentskills.io/specification>.
+#[test]
+fn the_skill_has_the_form_of_skills() {
+    let text = fs::read_to_string(root().join(SKILL)).unwrap();
+    let (front, body) = text.strip_prefix("---\n").unwrap().split_once("\n---\n").unwrap();
+    let [name, description] = front.lines().collect::<Vec<_>>().try_into().unwrap();
+    let (name, description) = (name.strip_prefix("name: "), description.strip_prefix("description: "));
+    assert_eq!(name, Path::new(SKILL).parent().and_then(Path::file_name).and_then(|name| name.to_str()));
+    // A colon and a blank would begin another value in YAML.
+    assert!(description.is_some_and(|text| text.chars().count() <= 1024 && !text.contains(": ")));
+    assert!(body.lines().count() <= 120);
 }
 
 fn follow_all(Pages { folder, index, least }: &Pages) {

@@ -36,6 +36,7 @@ mod judge_without_scenario;
 mod limits;
 mod live;
 mod mass_history;
+mod mcp;
 mod measures;
 mod mend;
 mod mesh;

@@ -38,6 +38,7 @@ fn schemas_are_strict() {
         polhode_budget::REPORT_SCHEMA,
         polhode_robot::REQUEST_SCHEMA,
         polhode_robot::REPORT_SCHEMA,
+        polhode_robot::LINK_CHOICE_SCHEMA,
         polhode_shape::REQUEST_SCHEMA,
         polhode_shape::REPORT_SCHEMA,
         polhode_identify::REQUEST_SCHEMA,

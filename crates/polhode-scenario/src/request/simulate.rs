@@ -90,13 +90,17 @@ pub fn run_watched(
         ));
     };
     let trajectory = motion.map_err(|error| failed(&file, error))?;
-    let at = states_at(request, &file)?;
+    let at = states_at(request, &file, progress)?;
     Ok(Motion { file, trajectory, at, is_verbose: request.verbose })
 }
 
 /// Returns the samples at the requested times, in their order. They have the accuracy of the
 /// samples of the run.
-fn states_at(request: &Request, file: &ScenarioFile) -> Result<Vec<Sample>, Failure> {
+fn states_at(
+    request: &Request,
+    file: &ScenarioFile,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Result<Vec<Sample>, Failure> {
     let scenario = &file.scenario;
     let wanted: Vec<f64> = request.at.iter().flat_map(|at| at.value.0.iter().copied()).collect();
     let Some(run) = scenario.run().filter(|_| !wanted.is_empty()) else { return Ok(Vec::new()) };
@@ -110,7 +114,7 @@ fn states_at(request: &Request, file: &ScenarioFile) -> Result<Vec<Sample>, Fail
     times.sort_by(f64::total_cmp);
     times.dedup();
     let asked = scenario.clone().sampled(Run { times, ..run.clone() });
-    let samples = match asked.simulate() {
+    let samples = match asked.simulate_watched(progress) {
         Some(motion) => motion.map_err(|error| Failure::of_motion(&file.path, error))?.samples().to_vec(),
         None => Vec::new(),
     };

@@ -72,10 +72,18 @@ impl<'a> Confined<'a> {
     }
 
     /// # Errors
-    /// [`io::ErrorKind::PermissionDenied`] if the path is outside the folders.
+    /// [`io::ErrorKind::PermissionDenied`] if the path is outside the folders, whether or not a file
+    /// is there.
     fn require(&self, path: &Path) -> io::Result<PathBuf> {
-        let path = self.files.canonical(path)?;
-        if self.holds(&path) { Ok(path) } else { Err(io::ErrorKind::PermissionDenied.into()) }
+        let here = || self.files.canonical(Path::new(".")).unwrap_or_default();
+        match self.files.canonical(path) {
+            Ok(path) if self.holds(&path) => Ok(path),
+            Err(error) if self.holds(&lexical(&here().join(path))) => Err(error),
+            Ok(_) | Err(_) => {
+                let rule = "it lies outside the folders that may be read; --root DIR allows another one";
+                Err(io::Error::new(io::ErrorKind::PermissionDenied, rule))
+            }
+        }
     }
 }
 
@@ -93,7 +101,12 @@ impl Files for Confined<'_> {
     }
 
     fn entries(&self, folder: &Path) -> io::Result<Vec<(PathBuf, Kind)>> {
-        self.files.entries(&self.require(folder)?)
+        // Paths begin with the folder as it was named, as for other sources of files.
+        let named = |(path, kind): (PathBuf, Kind)| match path.file_name() {
+            Some(name) => (folder.join(name), kind),
+            None => (path, kind),
+        };
+        Ok(self.files.entries(&self.require(folder)?)?.into_iter().map(named).collect())
     }
 
     /// Returns the canonical path of a file that is named relative to a folder, or by an absolute

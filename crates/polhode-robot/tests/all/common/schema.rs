@@ -33,6 +33,7 @@ pub(crate) fn fits(root: &Value, schema: &Value, value: &Value, at: &str) -> Res
             "enum" => of_list(rule, &|one| one == value),
             "const" => rule == value,
             "minimum" => value.as_f64().is_none_or(|number| number >= rule.as_f64().unwrap()),
+            "maximum" => value.as_f64().is_none_or(|number| number <= rule.as_f64().unwrap()),
             "pattern" => {
                 assert_eq!(rule, "[0-9]");
                 value.as_str().is_none_or(|text| text.contains(|c: char| c.is_ascii_digit()))

@@ -1,7 +1,5 @@
 //! Messages of JSON-RPC 2.0.
 
-use std::fmt::Display;
-
 use polhode_source::json_value;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -51,11 +49,11 @@ impl ProtocolError {
     /// The protocol version of a request is not supported.
     pub(crate) const VERSION: i32 = -32022;
 
-    pub(crate) fn new(code: i32, message: impl ToString) -> Self {
-        Self { code, message: message.to_string(), data: json!({}) }
+    pub(crate) fn new(code: i32, message: impl Into<String>) -> Self {
+        Self { code, message: message.into(), data: json!({}) }
     }
 
-    pub(crate) fn params(message: impl ToString) -> Self {
+    pub(crate) fn params(message: impl Into<String>) -> Self {
         Self::new(Self::INVALID_PARAMS, message)
     }
 
@@ -72,16 +70,16 @@ impl ProtocolError {
 /// The answer to a message that is not valid.
 pub(crate) fn read(line: &[u8]) -> Result<Message, Value> {
     let message: Value = serde_json::from_slice(line)
-        .map_err(|error| ProtocolError::new(ProtocolError::PARSE, error).answer(&Value::Null))?;
+        .map_err(|error| ProtocolError::new(ProtocolError::PARSE, error.to_string()).answer(&Value::Null))?;
     let id = message.get("id");
     let known = id.filter(|id| id.is_string() || id.is_i64() || id.is_u64());
-    let refused = |rule: &dyn Display| {
+    let refused = |rule: String| {
         Err(ProtocolError::new(ProtocolError::INVALID_REQUEST, rule).answer(known.unwrap_or(&Value::Null)))
     };
     // A key that is given twice is ambiguous.
     let fields: Fields = match json_value(line).and_then(serde_json::from_value) {
         Ok(fields) => fields,
-        Err(error) => return refused(&error),
+        Err(error) => return refused(error.to_string()),
     };
     match (fields, id, known) {
         (Fields { method: Some(method), params, .. }, None, _) => {
@@ -90,8 +88,8 @@ pub(crate) fn read(line: &[u8]) -> Result<Message, Value> {
         (Fields { method: Some(method), params, .. }, _, Some(id)) => {
             Ok(Message::Request { id: id.clone(), method, params })
         }
-        (Fields { method: Some(_), .. }, ..) => refused(&"id must be a text or an integer"),
-        (Fields { result: None, error: None, .. }, ..) => refused(&"method is missing"),
+        (Fields { method: Some(_), .. }, ..) => refused("id must be a text or an integer".to_owned()),
+        (Fields { result: None, error: None, .. }, ..) => refused("method is missing".to_owned()),
         _ => Ok(Message::Answer),
     }
 }

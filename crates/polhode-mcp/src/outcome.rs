@@ -106,9 +106,10 @@ mod tests {
     #[test]
     fn of_several_failures_the_worst_counts() {
         let numerical = Failure::of_motion("a.toml".as_ref(), MotionError::NotFinite { time: 1.0 });
-        let usage = Failure::usage("no", "hint");
-        let status = |failures: &[Failure]| Outcome::of(&Long(1), String::new(), failures.iter()).status;
-        assert_eq!((status(&[]), status(&[numerical.clone()])), (1, 3));
-        assert_eq!(status(&[usage, numerical]), 2);
+        let both = [Failure::usage("no", "hint"), numerical];
+        let [usage, numerical] = &both;
+        let status =
+            |failures: &[&Failure]| Outcome::of(&Long(1), String::new(), failures.iter().copied()).status;
+        assert_eq!((status(&[]), status(&[numerical]), status(&[usage, numerical])), (1, 3, 2));
     }
 }

@@ -50,9 +50,9 @@ pub(crate) struct Call {
 /// Way in which a client states the version of the protocol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Era {
-    /// Once, by a handshake.
+    /// Version agreed on by a handshake.
     Agreed,
-    /// In each request.
+    /// Version in each request.
     Stated,
 }
 

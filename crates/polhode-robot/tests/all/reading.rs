@@ -307,7 +307,7 @@ fn a_model_in_a_folder_finds_the_same_files_in_memory_as_on_disk() {
         let options = ReadOptions { files: &memory, ..ReadOptions::default() };
         let in_memory = read_model(file.as_ref(), &options).unwrap();
         let shapes = [Shapes::default(), Shapes::default().from_files(&memory)];
-        for (model, mut shapes) in [on_disk, in_memory].into_iter().zip(shapes) {
+        for (model, shapes) in [on_disk, in_memory].into_iter().zip(shapes) {
             assert!(model.notes.is_empty(), "{file}: {:?}", model.notes);
             let link = model.links.iter().find(|link| link.name.text == "a").unwrap();
             let volume = shapes.link(link, Role::Collision).volume.unwrap().volume;

@@ -26,7 +26,7 @@ type Uses = BTreeMap<Module, BTreeMap<String, BTreeMap<String, Module>>>;
 /// Names imported by each module, with their paths from the root of the crate.
 type Taken = BTreeMap<Module, BTreeMap<String, Module>>;
 
-/// Checks all crates, the Python package, the viewer and the npm package.
+/// Checks all crates, the Python package, the viewer, the npm package and the extension.
 pub(crate) fn check() -> Outcome {
     let mut found = Vec::new();
     let crates = root().join("crates");
@@ -36,7 +36,7 @@ pub(crate) fn check() -> Outcome {
     }
     let package = crates.join("polhode-py/python/polhode");
     found.extend(circles_of(&package, "py", |texts| imports(texts, python))?);
-    for sources in ["viewer/src", "npm/src"] {
+    for sources in ["viewer/src", "npm/src", "integrations/vscode/src"] {
         found.extend(circles_of(&root().join(sources), "ts", |texts| imports(texts, typescript))?);
     }
     if found.is_empty() {

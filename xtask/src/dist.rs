@@ -139,8 +139,13 @@ fn build(target: &str, triple: &str) -> Result<PathBuf, String> {
     let program = ["--locked", "--package", "polhode-cli", "--bin", "polhode"];
     let arguments = [&[verb, "--release", "--target", target], &program[..]].concat();
     run(cargo(&arguments).env(FLAGS, flags(triple)))?;
+    Ok(self::program(triple))
+}
+
+/// Returns the path of the program that [`make`] has built for a platform.
+pub(crate) fn program(triple: &str) -> PathBuf {
     let name = if triple.contains("windows") { "polhode.exe" } else { "polhode" };
-    Ok(build_folder().join(triple).join("release").join(name))
+    build_folder().join(triple).join("release").join(name)
 }
 
 /// Returns the flags of the compiler with which nothing that is built has symbols, or paths of this

@@ -6,7 +6,7 @@ use std::time::Instant;
 use crate::process::{self, FEATURES, cargo, joined};
 use crate::{
     Outcome, api, arrows, book, circles, dependencies, dist, examples, files, layers, module, npm, packages,
-    page, prose, python, readme, root, solutions, viewer, workflows,
+    page, prose, python, readme, root, solutions, viewer, vscode, workflows,
 };
 
 /// Name and task of a step.
@@ -49,8 +49,11 @@ pub(crate) fn run() -> Outcome {
         let pandoc = environment.pandoc()?;
         timed("workflows", || workflows::check(&environment))?;
         joined(viewer)?;
-        let page = scope
-            .spawn(|| timed("interactive page", page::check).and_then(|()| timed("npm package", npm::check)));
+        let page = scope.spawn(|| {
+            timed("interactive page", page::check)?;
+            timed("npm package", npm::check)?;
+            timed("VS Code extension", vscode::check)
+        });
         // The wheel is built before other steps call cargo, which runs one build at a time.
         let wheel = timed("wheel", || python::install_wheel(&environment))?;
         let python = scope.spawn(move || timed("Python", || python::check_in(environment, &wheel)));
@@ -74,6 +77,7 @@ pub(crate) fn run_nightly() -> Outcome {
     viewer::check_page(&page::path(), &viewer::tested()?)?;
     viewer::check_bits()?;
     npm::release()?;
+    vscode::release()?;
     let programs = files(&root().join("fuzz/fuzz_targets"), "rs")?;
     let targets: Vec<_> = programs.iter().filter_map(|path| path.file_stem()?.to_str()).collect();
     let all = ["test", "--workspace", "--locked", "--features", FEATURES, "--test", "*", "--", "--ignored"];

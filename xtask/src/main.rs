@@ -28,6 +28,7 @@ mod sbom;
 mod solutions;
 mod speed;
 mod viewer;
+mod vscode;
 mod workflows;
 
 use std::path::{Path, PathBuf};
@@ -56,6 +57,7 @@ usage: cargo xtask TASK
   page       polhode.html, the interactive page with the engine in WebAssembly, into target/page/, for a release: its size is checked, its tests pass in a
              browser, its motions have the bits of a native build, and the command takes it over; after `npm ci` in viewer/
   npm        the npm package in target/npm/, for a release: its size is checked, and its tests pass in Node and in a browser; after `npm ci` in viewer/
+  vscode     the extension of VS Code, packed, and its tests in an extension host; after `cargo xtask npm`
   python     the Python package: its wheel is built, and its tests and examples pass from there
   workflows  the workflows and the action of GitHub, and the job for GitLab, as their schemas and zizmor read them
   dist       the program for one platform, packed with man pages, completions and examples, into target/dist/; --target for another than
@@ -89,6 +91,7 @@ fn main() -> ExitCode {
         ["viewer"] => viewer::check().and_then(|()| page::check()).and_then(|()| npm::check()),
         ["page"] => page::release(),
         ["npm"] => npm::release(),
+        ["vscode"] => vscode::release(),
         ["python"] => python::check(),
         ["dist"] => dist::make(None),
         ["dist", "--target", target] => dist::make(Some(target)),

@@ -12,7 +12,7 @@ use std::time::Instant;
 use crate::archive::sha256_line;
 use crate::process::{build_folder, copy, output, run};
 use crate::{
-    Outcome, book, dist, files, installation, module, npm, packages, page, python, read, root, sbom,
+    Outcome, book, dist, files, installation, module, npm, packages, page, python, read, root, sbom, vscode,
 };
 
 pub(crate) use check::check;
@@ -44,6 +44,7 @@ pub(crate) fn make() -> Outcome {
     page::build(module::Build::Release)?;
     take(&[page::path()], &folder)?;
     compiled(&folder)?;
+    take(&[vscode::package(&dist::program(&dist::host()?))?], &folder)?;
     packages::check(true)?;
     take(&files(&in_target("package")?, "crate")?, &folder.join("crates"))?;
     book::build(false)?;

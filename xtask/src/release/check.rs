@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use super::{MOST, PLATFORM, folder, one};
 use crate::process::{empty_folder, output, run};
-use crate::{Outcome, book, dist, npm, python, read, root, viewer};
+use crate::{Outcome, book, dist, npm, python, read, root, viewer, vscode};
 
 /// Version of auditwheel, as in the workflow of releases.
 const AUDIT: &str = "auditwheel==6.8.2";
@@ -42,6 +42,7 @@ pub(crate) fn check() -> Outcome {
     sdist(&folder)?;
     let command = one(&places[0], "/polhode")?;
     npm::test(&one(&folder, ".tgz")?, &command)?;
+    vscode::test(&command)?;
     viewer::check_page(&folder.join("polhode.html"), &command)?;
     book::check_site(&folder.join("site"))
 }

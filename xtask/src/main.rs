@@ -97,7 +97,7 @@ fn main() -> ExitCode {
         ["dist", "--target", target] => dist::make(Some(target)),
         ["dist", "--check"] => dist::check(),
         ["release"] => release::make(),
-        ["release", "--check"] => release::make().and_then(|()| release::check()),
+        ["release", "--check"] => release::check(),
         ["solutions"] => python::environment().and_then(|python| solutions::check(&python.pandoc()?)),
         ["workflows"] => python::environment().and_then(|python| workflows::check(&python)),
         ["help" | "--help" | "-h"] => {

@@ -30,6 +30,9 @@ const MOST: u64 = 15_000_000;
 /// First answers from each artefact; [`check`] runs the commands.
 const START: &str = include_str!("release/start.md");
 
+/// File of a release with the commit that it was made of.
+const COMMIT: &str = "COMMIT";
+
 /// Makes every artefact of the last commit.
 pub(crate) fn make() -> Outcome {
     let changed = output(Command::new("git").args(["status", "--porcelain"]).current_dir(root()))?;
@@ -54,12 +57,24 @@ pub(crate) fn make() -> Outcome {
     write(&folder.join("polhode.cdx.json"), &sbom::bill(&triple)?)?;
     write(&folder.join("NOTES.md"), &notes(&read(&root().join("CHANGELOG.md"))?)?)?;
     write(&folder.join("START.md"), &START.replace("VERSION", VERSION).replace("TRIPLE", &triple))?;
+    write(&folder.join(COMMIT), &head()?)?;
     for name in ["LICENSE-MIT", "LICENSE-APACHE"] {
         take(&[root().join(name)], &folder)?;
     }
     write(&folder.join("SHA256SUMS"), &sums(&folder)?)?;
     println!("   {}", folder.display());
     Ok(())
+}
+
+/// Returns true if the last commit has been made into a release.
+fn is_made() -> Result<bool, String> {
+    let head = head()?;
+    Ok(std::fs::read_to_string(folder()?.join(COMMIT)).is_ok_and(|commit| commit == head))
+}
+
+/// Returns the last commit, with the end of a line.
+fn head() -> Result<String, String> {
+    output(Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root()))
 }
 
 /// Version of all artefacts.

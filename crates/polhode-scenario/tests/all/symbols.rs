@@ -73,7 +73,11 @@ fn a_wrong_symbol_or_formula_is_refused_at_its_place() {
         "test.toml:6:11: the value is a quantity in m^2, where a length belongs",
         "",
     );
-    refused(&ball("M = '1 kg'\nb = '1 m'", "2 b"), "test.toml:6:13: unknown unit b", "");
+    refused(
+        &ball("M = '1 kg'\nb = '1 m'", "2 b"),
+        "test.toml:6:13: expected an operator, ) or the end, found \"b\"",
+        "a product is written with *",
+    );
     refused(
         &ball("M = '1 kg'\nb = '-1 m'", "b/2"),
         "test.toml:6:10: radius = \"b/2\" must be positive",

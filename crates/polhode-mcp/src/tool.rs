@@ -33,18 +33,6 @@ pub(crate) struct Tool {
 /// Runs a command on its arguments. The flag becomes true if the call is cancelled.
 type Run = fn(Arguments, &dyn Files, &AtomicBool) -> Result<Outcome, Failure>;
 
-/// Tool without its own values.
-const PLAIN: Tool = Tool {
-    name: "",
-    about: "",
-    request: "{}",
-    report: || "{}",
-    more: "{}",
-    without: &[],
-    required: &[],
-    run: command::judge,
-};
-
 /// All tools, in the order in which they are listed.
 pub(crate) const TOOLS: &[Tool] = &[
     Tool {
@@ -54,8 +42,8 @@ pub(crate) const TOOLS: &[Tool] = &[
         report: || polhode_shape::REPORT_SCHEMA,
         more: LINK_CHOICE_SCHEMA,
         without: &["write-mesh"],
+        required: &[],
         run: command::inertia,
-        ..PLAIN
     },
     Tool {
         name: "check",
@@ -64,8 +52,8 @@ pub(crate) const TOOLS: &[Tool] = &[
         report: || polhode_robot::REPORT_SCHEMA,
         without: &["today"],
         required: &["files"],
+        more: "{}",
         run: command::check,
-        ..PLAIN
     },
     Tool {
         name: "simulate",
@@ -74,16 +62,18 @@ pub(crate) const TOOLS: &[Tool] = &[
         report: || &simulate::REPORT_SCHEMA,
         more: include_str!("../schema/samples.json"),
         required: &["file"],
+        without: &[],
         run: command::simulate,
-        ..PLAIN
     },
     Tool {
         name: "judge",
         about: include_str!("../text/judge.md"),
         request: polhode_judge::REQUEST_SCHEMA,
         report: || polhode_judge::REPORT_SCHEMA,
+        more: "{}",
+        without: &[],
+        required: &[],
         run: command::judge,
-        ..PLAIN
     },
     Tool {
         name: "explain",
@@ -91,8 +81,9 @@ pub(crate) const TOOLS: &[Tool] = &[
         request: explain::REQUEST_SCHEMA,
         report: || &explain::REPORT_SCHEMA,
         required: &["file"],
+        more: "{}",
+        without: &[],
         run: command::explain,
-        ..PLAIN
     },
 ];
 

@@ -96,7 +96,10 @@ impl Tool {
         input["required"] = json!(self.required);
         // The root is an object, as older clients require. References to definitions stay valid.
         let (mut output, mut report) = (read(include_str!("../schema/result.json")), read((self.report)()));
-        output["$defs"] = report["$defs"].take();
+        if let Some(report) = report.as_object_mut() {
+            output["$defs"] = report.shift_remove("$defs").unwrap_or_else(|| json!({}));
+            report.shift_remove("$schema");
+        }
         output["properties"]["report"] = report;
         json!({
             "name": self.name,
@@ -181,7 +184,9 @@ mod tests {
             for key in tool.required.iter().chain(tool.without) {
                 assert!(read(tool.request)["properties"][key].is_object(), "{key}");
             }
-            assert!(tool.definition()["outputSchema"]["$defs"].is_object());
+            let output = &tool.definition()["outputSchema"];
+            assert!(output["$defs"].as_object().is_some_and(|definitions| !definitions.is_empty()));
+            assert!(output["properties"]["report"].get("$defs").is_none());
         }
     }
 }

@@ -113,17 +113,22 @@ fn compiled(folder: &Path) -> Outcome {
     run(sdist.args(["sdist", "--out"]).arg(folder).arg("--manifest-path").arg(&manifest))
 }
 
-/// Returns the changes of this version: its section of the changelog, or that of the next version.
+/// Returns the changes of this version: its section of the changelog, after that of the next version
+/// if this one has no date.
 fn notes(changelog: &str) -> Result<String, String> {
     let section = |name: &str| {
         let (_, rest) = changelog.split_once(&format!("\n## [{name}]"))?;
-        let (_, text) = rest.split_once('\n')?;
-        Some(text.split("\n## ").next().unwrap_or(text).trim().to_owned())
+        let (heading, text) = rest.split_once('\n')?;
+        Some((heading.trim(), text.split("\n## ").next().unwrap_or(text).trim()))
     };
-    let changes = section(VERSION)
-        .or_else(|| section("Unreleased"))
-        .ok_or("CHANGELOG.md has no section for this version")?;
-    Ok(format!("# polhode {VERSION}\n\nFirst answers from each file: START.md.\n\n{changes}\n"))
+    let is_dated = |(heading, _): &(&str, &str)| heading.ends_with(|c: char| c.is_ascii_digit());
+    let this = section(VERSION);
+    let next = section("Unreleased").filter(|_| !this.as_ref().is_some_and(is_dated));
+    let texts: Vec<&str> = next.into_iter().chain(this).map(|(_, text)| text).collect();
+    if texts.is_empty() {
+        return Err("CHANGELOG.md has no section for this version".to_owned());
+    }
+    Ok(format!("# polhode {VERSION}\n\nFirst answers from each file: START.md.\n\n{}\n", texts.join("\n\n")))
 }
 
 /// Returns the checksums of all files in a folder, with paths relative to it.
@@ -189,11 +194,13 @@ mod tests {
     use super::{VERSION, notes};
 
     #[test]
-    fn the_notes_are_those_of_the_version_or_of_the_next_one() {
-        let next = "# Changelog\n\n## [Unreleased]\n\n### Added\n\n- A top.\n\n## [0.0.1] - 2026-01-01\n\n- A body.\n";
-        assert!(notes(next).is_ok_and(|text| text.ends_with("### Added\n\n- A top.\n")));
+    fn the_notes_are_those_of_the_version_and_of_the_next_one_before_the_release() {
+        let next = "# Changelog\n\n## [Unreleased]\n\n- A top.\n\n## [0.0.1] - 2026-01-01\n\n- A body.\n";
+        assert!(notes(next).is_ok_and(|text| text.ends_with("START.md.\n\n- A top.\n")));
         let this = next.replace("0.0.1", VERSION);
         assert!(notes(&this).is_ok_and(|text| text.ends_with("START.md.\n\n- A body.\n")));
+        let both = this.replace("2026-01-01", "unreleased");
+        assert!(notes(&both).is_ok_and(|text| text.ends_with("START.md.\n\n- A top.\n\n- A body.\n")));
         assert!(notes("# Changelog\n").is_err());
     }
 }

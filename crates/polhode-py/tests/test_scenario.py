@@ -108,10 +108,23 @@ def test_the_classes_have_the_keys_of_the_reader(schema: dict[str, Any]) -> None
         needed = required[place] - ({"model", "value"} if kind is Event else {"model"})
         assert needed == {key_of(field) for field in fields(kind) if field.default is MISSING}, kind
     assert keys["gimbals.rotor"] < keys["gimbals.outer"] == keys["gimbals.inner"]
-    assert keys[""] == {"title", "body", "sweep", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
+    assert keys[""] == {"title", "symbols", "body", "sweep", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
     assert keys["body"] == {"part", "pivot"}
     plan = set(inspect.signature(Plan).parameters) - {"source"}
     assert keys["sweep"] == plan
+
+
+def test_formulas_of_symbols_stand_in_place_of_quantities(tmp_path: Path) -> None:
+    box = Part(shape="box", size=["b", "2*b", "b/2"], mass="M/4", position=["-b", 0, "b/3"])
+    named = polhode.Scenario([box], symbols={"M": "3 kg", "b": "20 cm"}, pivot=[0, "b", 0])
+    named.to_toml(tmp_path / "box.toml")
+    read = polhode.Scenario.from_toml(tmp_path / "box.toml").replace(folder=".")
+    assert read == named and read.symbols == {"M": "3 kg", "b": "20 cm"}
+    body = polhode.inertia(tmp_path / "box.toml")
+    assert body.mass == 0.75
+    np.testing.assert_allclose(body.center_of_mass, [-0.2, 0, 0.2 / 3], rtol=1e-15)
+    with pytest.raises(polhode.PolhodeError, match="a length belongs"):
+        named.replace(symbols={"M": "3 kg", "b": "2 s"})
 
 
 def test_files_fit_the_schema(schema: dict[str, Any], examples: Path) -> None:

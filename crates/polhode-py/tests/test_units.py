@@ -31,7 +31,7 @@ NEITHER = set(
     """allow_unphysical arguments ax axes_names basis bias body center changes clock columns configuration contact convention decimal derivatives drag draws edge ends
     engine error events field findings flight flights folder format gimbals hull isotopes joint joints kind knobs link material mass_history member members mesh molecule
     motion name numbers of_number omega_axes on orbit out output parameters parts path pendulum plan pointings prescribed products progress quaternion
-    resume roots rows run scale scenario scenarios seed sense shaft skew start stop subtree tests threads title torques triangles union wheels workers wrench
+    resume roots rows run scale scenario scenarios seed sense shaft skew start stop subtree symbols tests threads title torques triangles union wheels workers wrench
     wrench_covariance force format questions replicates samples sampling trajectories vary""".split()
 )
 

@@ -80,7 +80,7 @@ fn a_wrong_symbol_or_formula_is_refused_at_its_place() {
     );
     refused(
         &ball("M = '1 kg'\nb = '-1 m'", "b/2"),
-        "test.toml:6:10: radius = \"b/2\" must be positive",
+        "test.toml:6:10: radius = 'b/2' must be positive",
         "a size",
     );
     refused(
@@ -90,7 +90,7 @@ fn a_wrong_symbol_or_formula_is_refused_at_its_place() {
     );
     refused(
         &ball("M = '1 kg'\nb = '1 m'", "1 m"),
-        "test.toml:3:5: symbols = \"1 m\" must be in a formula of the scenario, such as \"b/2\"",
+        "test.toml:3:5: symbols = '1 m' must be in a formula of the scenario, such as \"b/2\"",
         "use b in a formula, or remove it",
     );
     refused(

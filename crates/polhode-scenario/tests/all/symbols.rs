@@ -109,7 +109,23 @@ fn a_wrong_symbol_or_formula_is_refused_at_its_place() {
         "rename",
     );
     refused(&ball("M = 'heavy'", "1 m"), "test.toml:2:5: \"heavy\" is not a number", "");
-    // Without symbols, a formula is what it always was: no quantity.
+    // 150 m is hardly meant. A symbol without a unit gives no unit to a formula.
+    let size = |b: &str| {
+        format!(
+            "[symbols]\nM = '1 kg'\nb = {b}\n[[body.part]]\nshape = 'box'\nsize = ['b/2', 0.7, '2*b']\nmass = 'M'\n"
+        )
+    };
+    refused(
+        &size("'30 cm'"),
+        "test.toml:6:16: size = 0.7 must be given with its unit, like the other element \"b/2\"",
+        "write its unit after the number",
+    );
+    refused(
+        &size("0.3"),
+        "test.toml:6:10: the value is a plain number, where a length belongs",
+        "write the unit after",
+    );
+    // Without symbols, a formula is not a quantity.
     let error = parse("[[body.part]]\nshape = 'sphere'\nradius = 'b/2'\nmass = 1\n").unwrap_err();
     assert!(error.message().contains("not a number"), "{error}");
 }

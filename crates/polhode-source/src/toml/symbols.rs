@@ -20,7 +20,7 @@ use crate::unit::{self, Dimension};
 #[derive(Debug, Default)]
 pub struct Symbols(Vec<Symbol>);
 
-/// Named quantity.
+/// Quantity with a name.
 #[derive(Debug)]
 pub struct Symbol {
     /// Name in formulas.
@@ -58,8 +58,7 @@ impl Symbols {
 
     /// Returns true if a text contains the name of a symbol.
     pub(crate) fn are_in(&self, text: &str) -> bool {
-        let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
-        words.any(|word| self.0.iter().any(|symbol| symbol.name == word))
+        words(text).any(|word| self.0.iter().any(|symbol| symbol.name == word))
     }
 
     /// Returns the value of a formula, SI units.
@@ -77,4 +76,9 @@ impl Symbols {
         }
         Err(ExpressionError { kind: ExpressionErrorKind::Number { found: text.to_owned() }, column: 1 })
     }
+}
+
+/// Returns the words of a formula.
+pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_alphanumeric() && c != '_')
 }

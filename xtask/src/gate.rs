@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use crate::process::{self, FEATURES, cargo, joined};
 use crate::{
-    Outcome, api, arrows, book, circles, dependencies, dist, examples, files, layers, module, npm, packages,
-    page, prose, python, readme, root, solutions, viewer, vscode, workflows,
+    Outcome, api, arrows, book, circles, dependencies, dist, examples, files, installation, layers, module,
+    npm, packages, page, prose, python, readme, root, solutions, viewer, vscode, workflows,
 };
 
 /// Name and task of a step.
@@ -69,9 +69,12 @@ pub(crate) fn run() -> Outcome {
 
 /// Runs all steps with all random draws, then the tests that are too long for the gate.
 ///
+/// The time of a first build comes first, while nothing else runs.
+///
 /// These are lists of 100,000 rows, and random mutations of each target's stored inputs.
 pub(crate) fn run_nightly() -> Outcome {
     process::NIGHTLY.store(true, Ordering::Relaxed);
+    timed("first build", installation::measure_build)?;
     run()?;
     page::build(module::Build::Release)?;
     viewer::check_page(&page::path(), &viewer::tested()?)?;

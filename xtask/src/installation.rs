@@ -6,8 +6,9 @@
 
 use std::path::Path;
 use std::process::Command;
+use std::time::Instant;
 
-use crate::process::output;
+use crate::process::{cargo, empty_folder, output, run};
 use crate::{Outcome, read, root};
 
 /// Version in the package registries; `None` before the first release.
@@ -81,6 +82,16 @@ pub(crate) fn write() -> Outcome {
         }
     }
     Ok(())
+}
+
+/// Builds README's first command in an empty folder and compares the time with the stated time.
+pub(crate) fn measure_build() -> Outcome {
+    run(&mut cargo(&["fetch", "--locked"]))?;
+    let folder = empty_folder("first build")?;
+    let begun = Instant::now();
+    run(cargo(&["build", "--release", "--locked"]).env("CARGO_TARGET_DIR", &folder))?;
+    check_build_time(begun.elapsed().as_secs_f64())?;
+    std::fs::remove_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))
 }
 
 /// Compares the time of a first build of the command on two cores, s, with the stated time.

@@ -101,10 +101,8 @@ fn euclidean(a: &Polynomial, b: &Polynomial, variables: &BTreeSet<Variable>) -> 
     let Some(&main) = variables.iter().min_by_key(degree) else { return Polynomial::one() };
     let [content_a, content_b] = [a, b].map(|p| content_in(p, main));
     let content = gcd(&content_a, &content_b);
-    let (mut high, mut low) = (
-        a.over(&content_a).unwrap_or_default(),
-        b.over(&content_b).unwrap_or_default(),
-    );
+    let (mut high, mut low) =
+        (a.over(&content_a).unwrap_or_default(), b.over(&content_b).unwrap_or_default());
     if high.degree_in(main) < low.degree_in(main) {
         (high, low) = (low, high);
     }

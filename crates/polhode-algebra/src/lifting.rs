@@ -78,7 +78,8 @@ fn is_square_free(coefficients: &[Polynomial]) -> bool {
 fn lifted(coefficients: &[Polynomial], variable: Variable, start: Polynomial) -> Option<Polynomial> {
     // A root of degree m in x needs a coefficient cₖ of degree ≥ m (n − k) to cancel its power.
     let degree = coefficients.len() - 1;
-    let bounds = coefficients[..degree].iter().enumerate().map(|(k, c)| c.degree_in(variable) / (degree - k) as u32);
+    let bounds =
+        coefficients[..degree].iter().enumerate().map(|(k, c)| c.degree_in(variable) / (degree - k) as u32);
     let slope = horner(&slopes(coefficients), &start).coefficients_in(variable).swap_remove(0);
     let mut root = start;
     for power in 1..=bounds.max().unwrap_or(0) {
@@ -110,8 +111,7 @@ fn integer_roots(coefficients: &[BigInt]) -> Option<Vec<BigInt>> {
     for prime in (101..LARGEST_PRIME).step_by(2).filter(is_prime) {
         let modulus = BigInt::from(prime);
         let is_zero = |c: &[BigInt], x: &BigInt| at(c, x).mod_floor(&modulus).is_zero();
-        let starts: Vec<BigInt> =
-            (0..prime).map(BigInt::from).filter(|x| is_zero(coefficients, x)).collect();
+        let starts: Vec<BigInt> = (0..prime).map(BigInt::from).filter(|x| is_zero(coefficients, x)).collect();
         if starts.iter().any(|x| is_zero(&slopes, x)) {
             continue;
         }

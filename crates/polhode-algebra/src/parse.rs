@@ -121,9 +121,8 @@ impl Parser<'_> {
             let found = if length == 0 { self.text[start..].iter().take(1).collect() } else { found };
             return Err(error(ParseErrorKind::Exponent { found }, start));
         };
-        let power = (0..exponent.abs()).try_fold(RationalFunction::one(), |power, _| {
-            within_limits(power.times(&base), start)
-        })?;
+        let power = (0..exponent.abs())
+            .try_fold(RationalFunction::one(), |power, _| within_limits(power.times(&base), start))?;
         let result = if exponent < 0 { RationalFunction::one().over(&power) } else { Some(power) };
         result.ok_or_else(|| error(ParseErrorKind::DivisionByZero, start))
     }
@@ -150,7 +149,8 @@ impl Parser<'_> {
 
     fn number(&mut self) -> Parsed {
         let start = self.at;
-        let digits = |at: usize| self.text[at..].iter().take_while(|c| c.is_ascii_digit() || **c == '.').count();
+        let digits =
+            |at: usize| self.text[at..].iter().take_while(|c| c.is_ascii_digit() || **c == '.').count();
         let mut end = start + digits(start);
         if matches!(self.text.get(end), Some('e' | 'E')) {
             let sign = usize::from(matches!(self.text.get(end + 1), Some('+' | '-')));

@@ -62,16 +62,24 @@ impl ParseError {
     /// Returns advice for the user, if there is any.
     pub fn hint(&self) -> Option<String> {
         match &self.kind {
-            ParseErrorKind::UnknownSymbol { suggestion: Some(name), .. } => Some(format!("did you mean `{name}`?")),
+            ParseErrorKind::UnknownSymbol { suggestion: Some(name), .. } => {
+                Some(format!("did you mean `{name}`?"))
+            }
             ParseErrorKind::UnknownSymbol { known, .. } if known.is_empty() => {
                 Some("no symbols are declared".to_owned())
             }
-            ParseErrorKind::UnknownSymbol { known, .. } => Some(format!("the symbols are {}", known.join(", "))),
+            ParseErrorKind::UnknownSymbol { known, .. } => {
+                Some(format!("the symbols are {}", known.join(", ")))
+            }
             ParseErrorKind::UnknownFunction { name } => {
                 Some(format!("the functions are sqrt, sin and cos; a product is written {name}*(…)"))
             }
-            ParseErrorKind::Expected { found, .. } if found == "*" => Some("a power is written b^2".to_owned()),
-            ParseErrorKind::Expected { found, .. } if found == "," => Some("the decimal sign is a point".to_owned()),
+            ParseErrorKind::Expected { found, .. } if found == "*" => {
+                Some("a power is written b^2".to_owned())
+            }
+            ParseErrorKind::Expected { found, .. } if found == "," => {
+                Some("the decimal sign is a point".to_owned())
+            }
             ParseErrorKind::Expected { found, .. } if found == "^" => {
                 Some("write parentheses around a power of a power: (b^2)^3".to_owned())
             }
@@ -79,9 +87,7 @@ impl ParseError {
                 let starts = found.chars().next().filter(|c| c.is_alphanumeric() || matches!(c, '(' | '.'));
                 starts.map(|_| format!("a product is written with *: …*{found}"))
             }
-            ParseErrorKind::Exponent { .. } => {
-                Some("write a square root of a number as sqrt(3)".to_owned())
-            }
+            ParseErrorKind::Exponent { .. } => Some("write a square root of a number as sqrt(3)".to_owned()),
             ParseErrorKind::SquareRoot => {
                 Some("use a symbol for the root, and its square where it is needed".to_owned())
             }

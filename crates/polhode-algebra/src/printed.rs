@@ -66,7 +66,8 @@ impl Printed {
     /// m₂/8, but 2 (a + b).
     fn unless_longer_than(self, numerator: &Polynomial, denominator: &Polynomial) -> Self {
         let one = Polynomial::one();
-        let is_single = matches!(self.above.0[..], [(_, 1)]) && *denominator == one && numerator.term_count() > 1;
+        let is_single =
+            matches!(self.above.0[..], [(_, 1)]) && *denominator == one && numerator.term_count() > 1;
         if is_single && numbers(numerator) <= self.number_count() {
             return Self {
                 coefficient: Rational::one(),
@@ -84,7 +85,8 @@ impl Printed {
             let negative = factor.terms().filter(|(_, c)| c.is_negative()).count();
             negative > 0 && 2 * negative >= factor.term_count()
         };
-        let candidate = |(factor, exponent): &&mut (Polynomial, u32)| exponent % 2 == 1 && is_mostly_negative(factor);
+        let candidate =
+            |(factor, exponent): &&mut (Polynomial, u32)| exponent % 2 == 1 && is_mostly_negative(factor);
         if self.coefficient.is_negative()
             && let Some((factor, _)) = self.above.0.iter_mut().find(candidate)
         {
@@ -166,7 +168,9 @@ impl Product {
             ([], _) => coefficient,
             (_, Formula::Number(one)) if one == "1" => Formula::product(formulas),
             // m/2, but 1/4 M b² and 1/2 sin θ.
-            ([single], Formula::Fraction(one, below)) if **one == Formula::integer(1) && !is_function(single) => {
+            ([single], Formula::Fraction(one, below))
+                if **one == Formula::integer(1) && !single.is_function() =>
+            {
                 single.clone().over((**below).clone())
             }
             _ => coefficient.times(Formula::product(formulas)),
@@ -192,7 +196,8 @@ fn powered(base: Formula, exponent: u32) -> Formula {
 /// and in sums of two: I₃ − I₁ and 1 − cos θ.
 fn sum(polynomial: &Polynomial, symbols: &Symbols) -> Formula {
     let mut terms: Vec<(&Monomial, &Rational)> = polynomial.terms().collect();
-    let is_free = terms.len() == 2 || terms.iter().all(|(monomial, _)| monomial.degree() == polynomial.degree());
+    let is_free =
+        terms.len() == 2 || terms.iter().all(|(monomial, _)| monomial.degree() == polynomial.degree());
     if let Some(first) = terms.iter().position(|(_, c)| !c.is_negative()).filter(|_| is_free) {
         terms[..=first].rotate_right(1);
     }
@@ -203,7 +208,8 @@ fn term(monomial: &Monomial, coefficient: &Rational, symbols: &Symbols) -> Formu
     if let ([(variable, 1)], true) = (monomial.powers(), coefficient.is_one()) {
         return symbol(*variable, symbols);
     }
-    let powers = monomial.powers().iter().map(|&(variable, exponent)| (Polynomial::variable(variable), exponent));
+    let powers =
+        monomial.powers().iter().map(|&(variable, exponent)| (Polynomial::variable(variable), exponent));
     let product = Product(powers.collect()).with_coefficient(&coefficient.abs(), symbols);
     if coefficient.is_negative() { product.negative() } else { product }
 }
@@ -239,12 +245,4 @@ fn number_with_root(value: &Rational, radicand: &BigInt) -> Formula {
 fn numbers(polynomial: &Polynomial) -> usize {
     let one = Rational::one();
     polynomial.terms().filter(|(_, c)| c.abs() != one).count()
-}
-
-fn is_function(formula: &Formula) -> bool {
-    match formula {
-        Formula::Function(..) => true,
-        Formula::Power(base, _) => matches!(**base, Formula::Function(..)),
-        _ => false,
-    }
 }

@@ -121,9 +121,10 @@ impl RationalFunction {
 
     fn with_primitive_denominator(self) -> Self {
         match Rational::one().over(&self.denominator.content()) {
-            Some(scale) if !scale.is_one() => {
-                Self { numerator: self.numerator.scaled(&scale), denominator: self.denominator.scaled(&scale) }
-            }
+            Some(scale) if !scale.is_one() => Self {
+                numerator: self.numerator.scaled(&scale),
+                denominator: self.denominator.scaled(&scale),
+            },
             _ => self,
         }
     }
@@ -143,10 +144,7 @@ impl RationalFunction {
 
     /// Returns the quotient; `None` if the divisor is zero.
     pub fn over(&self, divisor: &Self) -> Option<Self> {
-        Self::new(
-            &(&self.numerator * &divisor.denominator),
-            &(&self.denominator * &divisor.numerator),
-        )
+        Self::new(&(&self.numerator * &divisor.denominator), &(&self.denominator * &divisor.numerator))
     }
 
     /// Returns the power; `None` for a negative power of zero.

@@ -52,7 +52,8 @@ impl Univariate {
             result.take(candidate, &mut rest);
         }
         // Roots of f/gcd(f, f′) are those of f, each once.
-        let simple = |f: &Self| f.divided(&f.gcd(&f.derivative())).map_or_else(|| f.clone(), |(q, _)| q.monic());
+        let simple =
+            |f: &Self| f.divided(&f.gcd(&f.derivative())).map_or_else(|| f.clone(), |(q, _)| q.monic());
         let mut single = simple(&rest);
         if single.degree() > 2 {
             for root in rational_roots(&single).unwrap_or_default() {

@@ -43,6 +43,7 @@ fn term(monomial: &Monomial, coefficient: &Rational, symbols: &Symbols) -> Strin
         };
         if exponent == 1 { base } else { format!("{base}^{exponent}") }
     });
-    let factors: Vec<String> = is_written.then(|| coefficient.to_string()).into_iter().chain(powers).collect();
+    let factors: Vec<String> =
+        is_written.then(|| coefficient.to_string()).into_iter().chain(powers).collect();
     factors.join("*")
 }

@@ -24,7 +24,8 @@ impl RationalFunction {
             return SquareRoot { outside: Self::zero(), inside: Self::one() };
         }
         let is_positive = |p: &Polynomial| {
-            p.terms().all(|(_, c)| !c.is_negative()) && p.variables().into_iter().all(|v| symbols.is_positive(v))
+            p.terms().all(|(_, c)| !c.is_negative())
+                && p.variables().into_iter().all(|v| symbols.is_positive(v))
         };
         let (outside_above, above) = taken_out(self.numerator(), &is_positive);
         let (outside_below, below) = taken_out(self.denominator(), &is_positive);
@@ -84,4 +85,3 @@ fn number_taken_out(number: &Rational) -> (Rational, Rational) {
         _ => kept(),
     }
 }
-

@@ -130,13 +130,16 @@ impl Symbols {
 
     /// Returns the printed form of a symbol, with dots for time derivatives.
     pub fn notation(&self, symbol: Symbol) -> Formula {
-        let letter = self.get(symbol).map_or_else(|| Formula::text("?"), |declared| declared.notation.clone());
+        let letter =
+            self.get(symbol).map_or_else(|| Formula::text("?"), |declared| declared.notation.clone());
         match symbol.order {
             0 => letter,
             1 => letter.accented(Accent::Dot),
             2 => letter.accented(Accent::DoubleDot),
             3 => letter.accented(Accent::TripleDot),
-            order => letter.power(Formula::integer(i64::from(order)).grouped(crate::formula::Fence::Parentheses)),
+            order => {
+                letter.power(Formula::integer(i64::from(order)).grouped(crate::formula::Fence::Parentheses))
+            }
         }
     }
 
@@ -161,7 +164,9 @@ impl fmt::Display for SymbolError {
                 write!(f, "`{name}` is not a symbol: a letter, then letters, digits and _, such as m_1")
             }
             Self::Reserved { name } => write!(f, "`{name}` is the name of a function; choose another symbol"),
-            Self::Duplicate { name, other } if name == other => write!(f, "symbol `{name}` is declared twice"),
+            Self::Duplicate { name, other } if name == other => {
+                write!(f, "symbol `{name}` is declared twice")
+            }
             Self::Duplicate { name, other } => {
                 write!(f, "symbols `{name}` and `{other}` are printed in the same way; rename one")
             }

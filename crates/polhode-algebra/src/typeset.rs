@@ -5,6 +5,7 @@ use core::cmp::Reverse;
 
 use crate::formula::{Fence, Formula, Operator};
 use crate::gcd::gcd;
+use crate::matrix::Matrix;
 use crate::monomial::Monomial;
 use crate::polynomial::Polynomial;
 use crate::printed::Printed;
@@ -15,7 +16,6 @@ use crate::square_root::SquareRoot;
 use crate::symbol::{Symbol, Variable};
 use crate::symbols::Symbols;
 use crate::vector::Vector;
-use crate::matrix::Matrix;
 
 impl RationalFunction {
     /// Returns the value with its common factors outside: −(m₁ + m₂) b² ω² sin α cos α.
@@ -31,7 +31,8 @@ impl RationalFunction {
         let mut groups: Vec<(Monomial, Polynomial)> = Vec::new();
         for (monomial, coefficient) in numerator.terms() {
             let powers = monomial.powers().iter().filter(|(variable, _)| variables.contains(variable));
-            let key = powers.fold(Monomial::one(), |key, &(v, exponent)| key.times(&Monomial::power(v, exponent)));
+            let key =
+                powers.fold(Monomial::one(), |key, &(v, exponent)| key.times(&Monomial::power(v, exponent)));
             let term = Polynomial::term(coefficient.clone(), monomial.clone());
             match groups.iter_mut().find(|(other, _)| *other == key) {
                 Some((_, sum)) => *sum = &*sum + term,

@@ -102,7 +102,8 @@ impl Univariate {
 
     /// Returns a multiple that is a polynomial in the symbols of the coefficients and λ.
     fn integral(&self) -> Polynomial {
-        let denominator = self.coefficients.iter().fold(Polynomial::one(), |all, c| lcm(&all, c.denominator()));
+        let denominator =
+            self.coefficients.iter().fold(Polynomial::one(), |all, c| lcm(&all, c.denominator()));
         let scale = RationalFunction::from(denominator);
         let coefficients: Vec<Polynomial> =
             self.coefficients.iter().map(|c| (c * &scale).numerator().clone()).collect();

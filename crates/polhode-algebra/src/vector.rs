@@ -67,7 +67,8 @@ impl Vector {
         let divisor = gcd_of(&numerators);
         let parts: Vec<Polynomial> = numerators.iter().filter_map(|n| n.over(&divisor)).collect();
         let content = parts.iter().fold(Rational::zero(), |all, part| all.gcd(&part.content()));
-        let first = parts.iter().find(|part| !part.is_zero()).map_or_else(Rational::zero, Polynomial::content);
+        let first =
+            parts.iter().find(|part| !part.is_zero()).map_or_else(Rational::zero, Polynomial::content);
         let content = if first.is_negative() { -content } else { content };
         let Some(scale) = Rational::one().over(&content) else { return self.clone() };
         Self(core::array::from_fn(|k| RationalFunction::from(parts[k].scaled(&scale))))

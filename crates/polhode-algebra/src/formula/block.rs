@@ -107,7 +107,9 @@ impl Block {
 
 /// Returns the number of columns; combining marks such as the dot of ω̇ need none.
 fn width(text: &str) -> usize {
-    text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c) && !('\u{20d0}'..='\u{20f0}').contains(c)).count()
+    text.chars()
+        .filter(|c| !('\u{300}'..='\u{36f}').contains(c) && !('\u{20d0}'..='\u{20f0}').contains(c))
+        .count()
 }
 
 fn padded(text: &str, columns: usize, align: Align) -> String {

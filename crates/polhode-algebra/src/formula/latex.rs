@@ -118,7 +118,14 @@ fn product(factors: &[Formula]) -> String {
     for (k, factor) in factors.iter().enumerate() {
         if k > 0 {
             let is_dotted = factors[k - 1].needs_dot_before(factor, Quotients::Stacked);
-            out.push_str(if is_dotted { r" \cdot " } else { " " });
+            let is_spaced = factors[k - 1].needs_space_before(factor);
+            out.push_str(if is_dotted {
+                r" \cdot "
+            } else if is_spaced {
+                r" \, "
+            } else {
+                " "
+            });
         }
         out.push_str(&at(factor, if k + 1 == factors.len() { Place::LastFactor } else { Place::Factor }));
     }
@@ -160,7 +167,8 @@ fn applied(written: &str, name: &Formula, argument: &Formula) -> String {
 /// Returns an index or exponent; more than one character is in braces.
 fn script(formula: &Formula) -> String {
     let latex = formula.to_latex();
-    if latex.chars().count() == 1 || (latex.starts_with('\\') && latex[1..].chars().all(char::is_alphabetic)) {
+    if latex.chars().count() == 1 || (latex.starts_with('\\') && latex[1..].chars().all(char::is_alphabetic))
+    {
         return latex;
     }
     format!("{{{latex}}}")
@@ -189,7 +197,12 @@ fn styled(text: &str, style: Style) -> String {
     let is_greek = text.chars().any(|c| letter::name(c).is_some());
     match style {
         Style::Italic => commands.to_owned(),
-        Style::Upright if matches!(text, "sin" | "cos" | "tan" | "exp" | "ln" | "max" | "min" | "det" | "arctan" | "lim") => {
+        Style::Upright
+            if matches!(
+                text,
+                "sin" | "cos" | "tan" | "exp" | "ln" | "max" | "min" | "det" | "arctan" | "lim"
+            ) =>
+        {
             format!(r"\{text}")
         }
         Style::Upright => format!(r"\mathrm{{{commands}}}"),

@@ -39,8 +39,10 @@ const GREEK: [(&str, char); 35] = [
     ("ell", 'ℓ'),
 ];
 
-const PLAIN: &str = "0123456789+−=()aehijklmnoprstuvxβγρφχ";
-const SUBSCRIPTS: &str = "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ";
+/// Characters of indices. Unicode has more, but not all letters of any set: Nₓ next to N_y, or mₐ next
+/// to m_b, would look like different things.
+const PLAIN: &str = "0123456789+−=ijklmn";
+const SUBSCRIPTS: &str = "₀₁₂₃₄₅₆₇₈₉₊₋₌ᵢⱼₖₗₘₙ";
 const RAISED: &str = "0123456789+−=()abcdefghijklmnoprstuvwxyz";
 const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ᵃᵇᶜᵈᵉᶠᵍʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛʷˣʸᶻ";
 
@@ -61,22 +63,29 @@ pub(super) fn from_subscript(c: char) -> Option<char> {
 
 /// Returns a text as an index: `ᵢⱼ`, or `_xy` if Unicode lacks a character.
 pub(super) fn subscript(text: &str) -> String {
-    script(text, PLAIN, SUBSCRIPTS, '_')
+    let tight = tight(text);
+    small(&tight, PLAIN, SUBSCRIPTS).unwrap_or_else(|| match tight.chars().all(char::is_alphanumeric) {
+        true => format!("_{tight}"),
+        false => format!("_({tight})"),
+    })
 }
 
 /// Returns a text as an exponent: `²`, or `^θ` if Unicode lacks a character.
 pub(super) fn superscript(text: &str) -> String {
-    script(text, RAISED, SUPERSCRIPTS, '^')
+    let tight = tight(text);
+    small(&tight, RAISED, SUPERSCRIPTS).unwrap_or_else(|| match tight.chars().count() {
+        1 => format!("^{tight}"),
+        _ => format!("^({tight})"),
+    })
 }
 
-fn script(text: &str, plain: &str, small: &str, mark: char) -> String {
-    let tight: String = text.chars().filter(|c| *c != ' ').collect();
+fn tight(text: &str) -> String {
+    text.chars().filter(|c| *c != ' ').collect()
+}
+
+fn small(text: &str, plain: &str, small: &str) -> Option<String> {
     let of = |c: char| plain.chars().zip(small.chars()).find(|(p, _)| *p == c).map(|(_, s)| s);
-    match tight.chars().map(of).collect::<Option<String>>() {
-        Some(small) => small,
-        None if tight.chars().all(char::is_alphanumeric) => format!("{mark}{tight}"),
-        None => format!("{mark}({tight})"),
-    }
+    text.chars().map(of).collect()
 }
 
 /// Returns a letter or digit in bold, which MathML Core has as separate characters.

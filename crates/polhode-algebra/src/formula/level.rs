@@ -86,10 +86,9 @@ impl Formula {
     /// Returns true if a formula written after this one might be read as a part of it: sin θ.
     fn is_open_ended(&self) -> bool {
         match self {
-            Self::Function(..) | Self::Limits { .. } => true,
-            Self::Power(base, _) => matches!(**base, Self::Function(..)),
+            Self::Limits { .. } => true,
             Self::Product(factors) => factors.last().is_some_and(Self::is_open_ended),
-            _ => false,
+            _ => self.is_function(),
         }
     }
 
@@ -108,7 +107,8 @@ impl Formula {
     /// c.
     pub(super) fn needs_dot_before(&self, next: &Self, quotients: Quotients) -> bool {
         let is_quotient = |f: &Self| matches!(f, Self::Fraction(..)) && !f.is_numeric();
-        let is_number = |f: &Self| matches!(f, Self::Number(_)) || (f.is_numeric() && !matches!(f, Self::Root(_)));
+        let is_number =
+            |f: &Self| matches!(f, Self::Number(_)) || (f.is_numeric() && !matches!(f, Self::Root(_)));
         // A unit vector after sin θ is not part of the angle.
         let is_closed = match next {
             Self::Function(..) | Self::Accent(..) => true,
@@ -121,6 +121,20 @@ impl Formula {
         (is_linear && (is_quotient(self) || is_quotient(next)))
             || (is_number(next) && (is_linear || is_number(self)))
             || (self.is_open_ended() && !is_closed)
+    }
+
+    /// Returns true if a factor needs more than the usual space before the next one: x dx, sin θ x̂.
+    pub(super) fn needs_space_before(&self, next: &Self) -> bool {
+        matches!(next, Self::Differential { .. }) || (self.is_open_ended() && !next.is_function())
+    }
+
+    /// Returns true for sin θ and sin² θ.
+    pub(crate) fn is_function(&self) -> bool {
+        match self {
+            Self::Function(..) => true,
+            Self::Power(base, _) => matches!(**base, Self::Function(..)),
+            _ => false,
+        }
     }
 
     /// Returns true if the argument of a function needs no parentheses.
@@ -136,13 +150,17 @@ impl Formula {
     /// Returns true if brackets around the formula are to be larger than a letter.
     pub(super) fn is_tall(&self) -> bool {
         match self {
-            Self::Fraction(..) | Self::Matrix(..) | Self::Cases(_) | Self::Limits { .. } | Self::Rows(_) => true,
+            Self::Fraction(..) | Self::Matrix(..) | Self::Cases(_) | Self::Limits { .. } | Self::Rows(_) => {
+                true
+            }
             Self::Sum(parts) | Self::Product(parts) | Self::Operation(_, parts) | Self::List(parts) => {
                 parts.iter().any(Self::is_tall)
             }
-            Self::Negative(a) | Self::Root(a) | Self::Group(_, a) | Self::Subscript(a, _) | Self::Power(a, _) => {
-                a.is_tall()
-            }
+            Self::Negative(a)
+            | Self::Root(a)
+            | Self::Group(_, a)
+            | Self::Subscript(a, _)
+            | Self::Power(a, _) => a.is_tall(),
             Self::Function(f, a) => f.is_tall() || a.is_tall(),
             Self::Relation(first, others) => first.is_tall() || others.iter().any(|(_, f)| f.is_tall()),
             _ => false,

@@ -60,9 +60,9 @@ fn element(formula: &Formula) -> String {
         Formula::Matrix(fence, rows) => {
             let row = |row: &Vec<Formula>| table_row(&row.iter().map(element).collect::<Vec<_>>());
             let rows: String = rows.iter().map(row).collect();
-            fenced(*fence, &format!("<mtable>{rows}</mtable>"))
+            fenced(*fence, &format!("<mtable>{rows}</mtable>"), true)
         }
-        Formula::Group(fence, inside) => fenced(*fence, &element(inside)),
+        Formula::Group(fence, inside) => fenced(*fence, &element(inside), inside.is_tall()),
         Formula::List(parts) => row(&parts
             .iter()
             .enumerate()
@@ -74,7 +74,7 @@ fn element(formula: &Formula) -> String {
                 table_row(&[element(value), format!("<mtext>if&#xa0;</mtext>{}", element(condition))])
             };
             let rows: String = cases.iter().map(row).collect();
-            format!("<mrow><mo>{{</mo><mtable columnalign=\"left left\">{rows}</mtable></mrow>")
+            format!("<mrow><mo>{{</mo><mtable>{rows}</mtable></mrow>")
         }
         Formula::Rows(rows) => {
             let row = |row: &Formula| match row {
@@ -91,7 +91,7 @@ fn element(formula: &Formula) -> String {
 fn at(formula: &Formula, place: Place) -> String {
     let inside = element(formula);
     match formula.needs_parentheses(place, Quotients::Stacked) {
-        true => fenced(Fence::Parentheses, &inside),
+        true => fenced(Fence::Parentheses, &inside, formula.is_tall()),
         false => inside,
     }
 }
@@ -109,14 +109,15 @@ fn table_row(cells: &[String]) -> String {
     format!("<mtr>{cells}</mtr>")
 }
 
-fn fenced(fence: Fence, inside: &str) -> String {
+fn fenced(fence: Fence, inside: &str, is_tall: bool) -> String {
     let [open, close] = match fence {
         Fence::Parentheses => ["(", ")"],
         Fence::Brackets => ["[", "]"],
         Fence::Braces => ["{", "}"],
         Fence::Bars => ["|", "|"],
     };
-    format!("<mrow><mo form=\"prefix\" stretchy=\"true\">{open}</mo>{inside}<mo form=\"postfix\" stretchy=\"true\">{close}</mo></mrow>")
+    let bracket = |form: &str, sign: &str| format!("<mo form=\"{form}\" stretchy=\"{is_tall}\">{sign}</mo>");
+    row(&[bracket("prefix", open), inside.to_owned(), bracket("postfix", close)])
 }
 
 fn summand(term: &Formula, has_sign: bool) -> String {
@@ -132,10 +133,9 @@ fn product(factors: &[Formula]) -> String {
     for (k, factor) in factors.iter().enumerate() {
         if k > 0 {
             let is_dotted = factors[k - 1].needs_dot_before(factor, Quotients::Stacked);
-            let is_function = matches!(factor, Formula::Function(..))
-                || matches!(factor, Formula::Power(base, _) if matches!(**base, Formula::Function(..)));
+            let is_spaced = factor.is_function() || factors[k - 1].needs_space_before(factor);
             parts.push(if is_dotted { operator("⋅") } else { TIMES.to_owned() });
-            if is_function {
+            if is_spaced {
                 parts.push(THIN_SPACE.to_owned());
             }
         }
@@ -177,7 +177,7 @@ fn applied(name: &Formula, argument: &Formula) -> String {
     let inside = element(argument);
     match argument.is_bare_argument_of(name) {
         true => format!("<mo>&#x2061;</mo>{THIN_SPACE}{inside}"),
-        false => format!("<mo>&#x2061;</mo>{}", fenced(Fence::Parentheses, &inside)),
+        false => format!("<mo>&#x2061;</mo>{}", fenced(Fence::Parentheses, &inside, argument.is_tall())),
     }
 }
 

@@ -17,9 +17,7 @@ impl Formula {
         letter.index(match index.bytes().all(|c| c.is_ascii_digit()) {
             true => Self::Number(index),
             // Two letters are two indices; more are a word.
-            false if index.chars().count() == 2 => {
-                Self::Letter(index, Style::Italic)
-            }
+            false if index.chars().count() == 2 => Self::Letter(index, Style::Italic),
             false => letter_of(&index),
         })
     }
@@ -27,7 +25,9 @@ impl Formula {
 
 /// Splits a name into its base and index: `m_1`, `m1`, `m₁`.
 fn split(name: &str) -> (&str, String) {
-    if let Some((base, index)) = name.split_once('_').filter(|(base, index)| !base.is_empty() && !index.is_empty()) {
+    if let Some((base, index)) =
+        name.split_once('_').filter(|(base, index)| !base.is_empty() && !index.is_empty())
+    {
         return (base, index.to_owned());
     }
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit() || from_subscript(c).is_some());

@@ -57,11 +57,14 @@ fn block(formula: &Formula) -> Block {
         Formula::Matrix(fence, rows) => matrix(*fence, rows),
         Formula::Group(fence, inside) => block(inside).fenced(*fence),
         Formula::List(parts) => separated(parts.iter().map(block), ", "),
-        Formula::Relation(first, others) => {
-            Block::row([block(first), relations(others, !matches!(**first, Formula::Text(ref t) if t.is_empty()))])
-        }
+        Formula::Relation(first, others) => Block::row([
+            block(first),
+            relations(others, !matches!(**first, Formula::Text(ref t) if t.is_empty())),
+        ]),
         Formula::Cases(cases) => {
-            let row = |(value, condition): &(Formula, Formula)| vec![block(value), Block::line("if"), block(condition)];
+            let row = |(value, condition): &(Formula, Formula)| {
+                vec![block(value), Block::line("if"), block(condition)]
+            };
             Block::grid(cases.iter().map(row).collect(), |_| Align::Left, " ").braced()
         }
         Formula::Rows(rows) => {
@@ -78,7 +81,11 @@ fn block(formula: &Formula) -> Block {
 /// Returns a formula at a place, in parentheses if necessary.
 fn at(formula: &Formula, place: Place) -> Block {
     let inside = block(formula);
-    if formula.needs_parentheses(place, Quotients::Linear) { inside.fenced(Fence::Parentheses) } else { inside }
+    if formula.needs_parentheses(place, Quotients::Linear) {
+        inside.fenced(Fence::Parentheses)
+    } else {
+        inside
+    }
 }
 
 fn separated(blocks: impl Iterator<Item = Block>, separator: &str) -> Block {

@@ -35,7 +35,16 @@ fn sums_of_angles_agree_with_doubles() {
         assert!((angle.sine().evaluate(&at).unwrap() - double.sin()).abs() < 1e-10, "{text}");
         assert!((angle.cosine().evaluate(&at).unwrap() - double.cos()).abs() < 1e-10, "{text}");
     }
-    for text in ["alpha/2", "alpha^2", "alpha + 1", "17*alpha", "sin(alpha)", "1/alpha", "sqrt(2)*alpha", "alpha*theta"] {
+    for text in [
+        "alpha/2",
+        "alpha^2",
+        "alpha + 1",
+        "17*alpha",
+        "sin(alpha)",
+        "1/alpha",
+        "sqrt(2)*alpha",
+        "alpha*theta",
+    ] {
         assert_eq!(Angle::new(&value(text)), None, "{text}");
     }
 }
@@ -44,14 +53,17 @@ fn sums_of_angles_agree_with_doubles() {
 fn derivatives_are_limits_of_differences() {
     let symbols = symbols();
     let alpha = symbols.find("alpha").unwrap();
-    for text in ["sin(alpha)", "alpha*cos(alpha)^3", "x/(2 + sin(alpha))", "sin(alpha)*cos(theta)/alpha", "x^2*y"] {
+    for text in
+        ["sin(alpha)", "alpha*cos(alpha)^3", "x/(2 + sin(alpha))", "sin(alpha)*cos(theta)/alpha", "x^2*y"]
+    {
         let f = value(text);
         let at = |shift: f64| {
-            f.evaluate(&|s| Some(if s == alpha { 0.8 + shift } else { 1.7 + symbols.name(s).len() as f64 })).unwrap()
+            f.evaluate(&|s| Some(if s == alpha { 0.8 + shift } else { 1.7 + symbols.name(s).len() as f64 }))
+                .unwrap()
         };
-        let exact = f.derivative(alpha).evaluate(&|s| {
-            Some(if s == alpha { 0.8 } else { 1.7 + symbols.name(s).len() as f64 })
-        });
+        let exact = f
+            .derivative(alpha)
+            .evaluate(&|s| Some(if s == alpha { 0.8 } else { 1.7 + symbols.name(s).len() as f64 }));
         let h = 1e-3;
         let difference = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
         assert!((exact.unwrap() - difference).abs() < 1e-10, "{text}");
@@ -77,10 +89,16 @@ fn angles_are_substituted_by_the_addition_theorems() {
     let symbols = symbols();
     let alpha = symbols.find("alpha").unwrap();
     let f = value("alpha*sin(alpha) + x");
-    assert_eq!(f.substituted(alpha, &value("theta - 2*phi")).unwrap(), value("(theta - 2*phi)*sin(theta - 2*phi) + x"));
+    assert_eq!(
+        f.substituted(alpha, &value("theta - 2*phi")).unwrap(),
+        value("(theta - 2*phi)*sin(theta - 2*phi) + x")
+    );
     assert_eq!(f.substituted(alpha, &value("0")).unwrap(), value("x"));
     assert_eq!(f.substituted(alpha, &value("theta/2")), None);
-    assert_eq!(f.substituted(symbols.find("x").unwrap(), &value("theta/2")).unwrap(), value("alpha*sin(alpha) + theta/2"));
+    assert_eq!(
+        f.substituted(symbols.find("x").unwrap(), &value("theta/2")).unwrap(),
+        value("alpha*sin(alpha) + theta/2")
+    );
     let half = Rational::new(1, 2).unwrap();
     assert_eq!(value("x").scaled(&half), value("x/2"));
 }

@@ -30,7 +30,8 @@ fn equal_functions_are_equal_values() {
     ] {
         assert_eq!(value(left), value(right), "{left}");
     }
-    for (left, right) in [("a + b", "a - b"), ("sqrt(2)", "7/5"), ("sin(alpha)", "sin(theta)"), ("alpha", "sin(alpha)")]
+    for (left, right) in
+        [("a + b", "a - b"), ("sqrt(2)", "7/5"), ("sin(alpha)", "sin(theta)"), ("alpha", "sin(alpha)")]
     {
         assert_ne!(value(left), value(right), "{left}");
     }
@@ -150,7 +151,8 @@ fn factors_multiply_to_the_polynomial() {
         let [a, b, c] = [0; 3].map(|_| random.polynomial(&names, 3));
         let product = a.pow(3) * b.pow(2) * c;
         let all = factors(&product);
-        let back = all.powers.iter().fold(Polynomial::from(all.coefficient.clone()), |p, (f, k)| p * f.pow(*k));
+        let back =
+            all.powers.iter().fold(Polynomial::from(all.coefficient.clone()), |p, (f, k)| p * f.pow(*k));
         assert_eq!(back, product);
         for (k, (f, _)) in all.powers.iter().enumerate() {
             assert_eq!(*f, f.primitive());
@@ -193,5 +195,8 @@ fn doubles_of_functions() {
     assert!((f.evaluate(&at).unwrap() - expected).abs() < 4e-16);
     assert_eq!(f.evaluate(&|_| None), None);
     assert_eq!(value("1/(x - y)").evaluate(&|_| Some(2.0)), None);
-    assert_eq!(value("M*b^2/6").evaluate(&|s| Some(if symbols.name(s) == "b" { 0.5 } else { 6.0 })), Some(0.25));
+    assert_eq!(
+        value("M*b^2/6").evaluate(&|s| Some(if symbols.name(s) == "b" { 0.5 } else { 6.0 })),
+        Some(0.25)
+    );
 }

@@ -56,7 +56,7 @@ impl Random {
 /// Returns the symbols of the tests, in the order of the lecture notes.
 pub(crate) fn symbols() -> Symbols {
     let mut symbols = Symbols::new();
-    for name in ["M", "m_1", "m_2", "I_1", "I_2", "I_3", "R", "r", "a", "b", "h", "g", "rho"] {
+    for name in ["M", "m_1", "m_2", "I_1", "I_2", "I_3", "rho", "R", "r", "a", "b", "h", "g"] {
         symbols.declare(name, Kind::Positive).unwrap();
     }
     for name in ["omega_1", "omega_2", "omega_3", "theta", "phi", "psi"] {

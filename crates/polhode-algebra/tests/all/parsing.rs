@@ -54,17 +54,49 @@ fn errors_state_place_rule_and_fix() {
     for (text, message, hint) in [
         ("", "column 1: expected a number, a symbol or (, found the end of the formula", None),
         ("b/", "column 3: expected a number, a symbol or (, found the end of the formula", None),
-        ("2b", "column 2: expected an operator or the end of the formula, found `b`", Some("a product is written with *: …*b")),
-        ("M b^2", "column 3: expected an operator or the end of the formula, found `b`", Some("a product is written with *: …*b")),
+        (
+            "2b",
+            "column 2: expected an operator or the end of the formula, found `b`",
+            Some("a product is written with *: …*b"),
+        ),
+        (
+            "M b^2",
+            "column 3: expected an operator or the end of the formula, found `b`",
+            Some("a product is written with *: …*b"),
+        ),
         ("b**2", "column 3: expected a number, a symbol or (, found `*`", Some("a power is written b^2")),
-        ("0,5*b", "column 2: expected an operator or the end of the formula, found `,`", Some("the decimal sign is a point")),
+        (
+            "0,5*b",
+            "column 2: expected an operator or the end of the formula, found `,`",
+            Some("the decimal sign is a point"),
+        ),
         ("(a + b", "column 7: expected an operator or ), found the end of the formula", None),
         ("a + b)", "column 6: expected an operator or the end of the formula, found `)`", None),
-        ("a^b", "column 3: the exponent `b` is not an integer from −12 to 12", Some("write a square root of a number as sqrt(3)")),
-        ("a^0.5", "column 3: the exponent `0.5` is not an integer from −12 to 12", Some("write a square root of a number as sqrt(3)")),
-        ("a^13", "column 3: the exponent `13` is not an integer from −12 to 12", Some("write a square root of a number as sqrt(3)")),
-        ("a^", "column 3: the exponent `` is not an integer from −12 to 12", Some("write a square root of a number as sqrt(3)")),
-        ("a^2^3", "column 4: expected an operator or the end of the formula, found `^`", Some("write parentheses around a power of a power: (b^2)^3")),
+        (
+            "a^b",
+            "column 3: the exponent `b` is not an integer from −12 to 12",
+            Some("write a square root of a number as sqrt(3)"),
+        ),
+        (
+            "a^0.5",
+            "column 3: the exponent `0.5` is not an integer from −12 to 12",
+            Some("write a square root of a number as sqrt(3)"),
+        ),
+        (
+            "a^13",
+            "column 3: the exponent `13` is not an integer from −12 to 12",
+            Some("write a square root of a number as sqrt(3)"),
+        ),
+        (
+            "a^",
+            "column 3: the exponent `` is not an integer from −12 to 12",
+            Some("write a square root of a number as sqrt(3)"),
+        ),
+        (
+            "a^2^3",
+            "column 4: expected an operator or the end of the formula, found `^`",
+            Some("write parentheses around a power of a power: (b^2)^3"),
+        ),
         ("a/(b - b)", "column 3: the divisor is zero", None),
         ("(b - b)^-1", "column 9: the divisor is zero", None),
         ("1/0", "column 3: the divisor is zero", None),
@@ -72,10 +104,26 @@ fn errors_state_place_rule_and_fix() {
         ("a + Theta", "column 5: unknown symbol `Theta`", Some("did you mean `theta`?")),
         ("omeg + 1", "column 1: unknown symbol `omeg`", Some("did you mean `omega`?")),
         ("b_dot", "column 1: unknown symbol `b_dot`", None),
-        ("tan(alpha)", "column 1: unknown function `tan`", Some("the functions are sqrt, sin and cos; a product is written tan*(…)")),
-        ("sqrt(b)", "column 5: sqrt takes a positive number without large prime factors", Some("use a symbol for the root, and its square where it is needed")),
-        ("sqrt(-3)", "column 5: sqrt takes a positive number without large prime factors", Some("use a symbol for the root, and its square where it is needed")),
-        ("cos(alpha/2)", "column 4: sin and cos take sums of symbols with integer factors up to 16", Some("declare the angle as a symbol: sin(alpha), cos(2*alpha - beta)")),
+        (
+            "tan(alpha)",
+            "column 1: unknown function `tan`",
+            Some("the functions are sqrt, sin and cos; a product is written tan*(…)"),
+        ),
+        (
+            "sqrt(b)",
+            "column 5: sqrt takes a positive number without large prime factors",
+            Some("use a symbol for the root, and its square where it is needed"),
+        ),
+        (
+            "sqrt(-3)",
+            "column 5: sqrt takes a positive number without large prime factors",
+            Some("use a symbol for the root, and its square where it is needed"),
+        ),
+        (
+            "cos(alpha/2)",
+            "column 4: sin and cos take sums of symbols with integer factors up to 16",
+            Some("declare the angle as a symbol: sin(alpha), cos(2*alpha - beta)"),
+        ),
         ("1.2.3", "column 1: expected a decimal such as 0.25 or 1e-3, or a quotient such as 2/3", None),
         ("1e999*b", "column 1: a number has at most 400 digits and a power of ten within ±400", None),
         ("b = 2", "column 3: expected an operator or the end of the formula, found `=`", None),
@@ -147,5 +195,8 @@ fn large_formulas_are_refused_quickly() {
 
 #[test]
 fn decimals_are_exact() {
-    assert_eq!(value("0.3*b").evaluate_exactly(&|_| Some(Rational::new(1, 3).unwrap())), Rational::new(1, 10));
+    assert_eq!(
+        value("0.3*b").evaluate_exactly(&|_| Some(Rational::new(1, 3).unwrap())),
+        Rational::new(1, 10)
+    );
 }

@@ -49,7 +49,8 @@ fn roots_of_products() {
             .map(|_| match k % 3 {
                 0 => random.rational().into(),
                 1 => random.polynomial(&names, 2).into(),
-                _ => RationalFunction::new(&random.polynomial(&names, 2), &random.polynomial(&names, 1)).unwrap(),
+                _ => RationalFunction::new(&random.polynomial(&names, 2), &random.polynomial(&names, 1))
+                    .unwrap(),
             })
             .collect();
         if k % 4 == 0 {

@@ -164,14 +164,13 @@ fn applied(written: &str, name: &Formula, argument: &Formula) -> String {
     format!("{written}{space}{}", fenced(Fence::Parentheses, argument))
 }
 
-/// Returns an index or exponent; more than one character is in braces.
+/// Returns an index or exponent, in braces if it is more than a letter or a digit.
 fn script(formula: &Formula) -> String {
     let latex = formula.to_latex();
-    if latex.chars().count() == 1 || (latex.starts_with('\\') && latex[1..].chars().all(char::is_alphabetic))
-    {
-        return latex;
+    match formula {
+        Formula::Letter(text, Style::Italic) | Formula::Number(text) if text.chars().count() == 1 => latex,
+        _ => format!("{{{latex}}}"),
     }
-    format!("{{{latex}}}")
 }
 
 fn relations(others: &[(Relation, Formula)]) -> String {

@@ -59,7 +59,9 @@ impl Formula {
             Place::Operand | Place::LastFactor => level < Level::Product,
             Place::Factor => level < Level::Product || matches!(self, Self::Limits { .. }),
             Place::Numerator => {
-                level < Level::Product || matches!(self, Self::Fraction(..)) || self.is_open_ended()
+                level < Level::Product
+                    || matches!(self, Self::Fraction(..) | Self::Limits { .. })
+                    || self.is_open_ended()
             }
             Place::Denominator => level < Level::Power,
             Place::Base => level < Level::Atom,
@@ -86,7 +88,6 @@ impl Formula {
     /// Returns true if a formula written after this one might be read as a part of it: sin θ.
     fn is_open_ended(&self) -> bool {
         match self {
-            Self::Limits { .. } => true,
             Self::Product(factors) => factors.last().is_some_and(Self::is_open_ended),
             _ => self.is_function(),
         }

@@ -198,12 +198,19 @@ impl Formula {
         Self::Text(words.to_owned())
     }
 
-    /// Returns the sum of terms; the only term, or 0.
-    pub fn sum(mut terms: Vec<Self>) -> Self {
-        match terms.len() {
+    /// Returns the sum of terms; the only term, or 0. Sums among them are not nested.
+    pub fn sum(terms: Vec<Self>) -> Self {
+        let mut flat = Vec::new();
+        for term in terms {
+            match term {
+                Self::Sum(inner) => flat.extend(inner),
+                other => flat.push(other),
+            }
+        }
+        match flat.len() {
             0 => Self::integer(0),
-            1 => terms.swap_remove(0),
-            _ => Self::Sum(terms),
+            1 => flat.swap_remove(0),
+            _ => Self::Sum(flat),
         }
     }
 

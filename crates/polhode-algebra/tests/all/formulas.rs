@@ -301,3 +301,131 @@ fn formulas_of_the_notes() {
     }
     assert_eq!(all, EXPECTED);
 }
+
+#[test]
+fn parentheses_where_they_are_needed() {
+    let [a, b, c] = ["a", "b", "c"].map(named);
+    let sum = || Formula::Sum(vec![a.clone(), b.clone()]);
+    let sine = || named("theta").applied("sin");
+    let quotient = || a.clone().over(b.clone());
+    for (formula, text, latex) in [
+        (product(&[sum(), c.clone()]), "(a + b) c", "(a + b) c"),
+        (Formula::Sum(vec![a.clone(), sum().negative()]), "a − (a + b)", "a - (a + b)"),
+        (Formula::Sum(vec![sum().negative(), c.clone()]), "−(a + b) + c", "-(a + b) + c"),
+        (product(&[a.clone(), b.clone().negative()]), "a (−b)", "a (-b)"),
+        (a.clone().negative().squared(), "(−a)²", "(-a)^2"),
+        (a.clone().squared().negative(), "−a²", "-a^2"),
+        (product(&[a.clone(), b.clone()]).squared(), "(a b)²", "(a b)^2"),
+        (a.clone().squared().power(named("n")), "(a²)ⁿ", "(a^2)^n"),
+        (a.clone().power(Formula::integer(-1)), "a⁻¹", "a^{-1}"),
+        (a.clone().power(named("theta")), "a^θ", r"a^\theta"),
+        (quotient().squared(), "(a/b)²", r"\left( \frac{a}{b} \right)^2"),
+        (quotient().over(c.clone()), "(a/b)/c", r"\frac{\frac{a}{b}}{c}"),
+        (a.clone().over(quotient()), "a/(a/b)", r"\frac{a}{\frac{a}{b}}"),
+        (a.clone().over(product(&[b.clone(), c.clone()])), "a/(b c)", r"\frac{a}{b c}"),
+        (product(&[a.clone(), b.clone()]).over(c.clone()), "a b/c", r"\frac{a b}{c}"),
+        (product(&[quotient(), c.clone()]), "a/b · c", r"\frac{a}{b} c"),
+        (product(&[quotient(), c.clone()]).squared(), "(a/b · c)²", r"\left( \frac{a}{b} c \right)^2"),
+        (product(&[half(), Formula::integer(3), a.clone()]), "1/2 · 3 a", r"\frac{1}{2} \cdot 3 a"),
+        (product(&[a.clone(), half()]), "a · 1/2", r"a \frac{1}{2}"),
+        (product(&[sine(), a.clone()]), "sin θ · a", r"\sin \theta \cdot a"),
+        (product(&[sine().squared(), sine()]), "sin² θ sin θ", r"\sin^2 \theta \sin \theta"),
+        (sine().over(a.clone()), "(sin θ)/a", r"\frac{\sin \theta}{a}"),
+        (sum().applied("cos"), "cos(a + b)", r"\cos(a + b)"),
+        (product(&[Formula::integer(2), a.clone()]).applied("sin"), "sin(2 a)", r"\sin(2 a)"),
+        (quotient().applied("sin"), "sin(a/b)", r"\sin\left( \frac{a}{b} \right)"),
+        (sum().root(), "√(a + b)", r"\sqrt{a + b}"),
+        (Formula::integer(12).root(), "√12", r"\sqrt{12}"),
+        (cross(a.clone(), sum()), "a × (a + b)", r"a \times (a + b)"),
+        (cross(cross(a.clone(), b.clone()), c.clone()), "(a × b) × c", r"(a \times b) \times c"),
+        (product(&[cross(a.clone(), b.clone()), c.clone()]), "(a × b) c", r"(a \times b) c"),
+        (
+            product(&[Formula::sum_over(named("k"), a.clone()), b.clone()]),
+            "(Σₖ a) b",
+            r"\left( \sum_k a \right) b",
+        ),
+        (Formula::sum_over(named("k"), sum()), "Σₖ (a + b)", r"\sum_k (a + b)"),
+        (sum().time_derivative(), "d/dt (a + b)", r"\frac{d}{dt} (a + b)"),
+        (product(&[a.clone(), b.clone()]).derivative(named("t"), false), "d(a b)/dt", r"\frac{d(a b)}{dt}"),
+        (Formula::decimal("-3.3e-5"), "−3.3 × 10⁻⁵", r"-3.3 \times 10^{-5}"),
+        (Formula::Operation(Operator::PlusMinus, vec![a.clone()]), "±a", r"\pm a"),
+        (Formula::text("50 % & more"), "50 % & more", r"\text{50 \% \& more}"),
+    ] {
+        assert_eq!((formula.to_text().as_str(), formula.to_latex().as_str()), (text, latex), "{formula:?}");
+        let markup = formula.to_mathml();
+        assert_eq!(markup.matches('<').count(), 2 * markup.matches("</").count(), "{markup}");
+    }
+}
+
+#[test]
+fn values_in_customary_order() {
+    for (source, text) in [
+        ("b^2*M", "M b²"),
+        ("-M*b^2/4", "−1/4 M b²"),
+        ("m_2/2 + m_1", "m₁ + m₂/2"),
+        ("m_1*b^2 + m_2*b^2/4", "(m₁ + m₂/4) b²"),
+        ("M*(a^2 + b^2)/12", "1/12 M (a² + b²)"),
+        ("M*(R^2 + 3/4*r^2)", "M (R² + 3/4 r²)"),
+        ("2*a + 2*b", "2 (a + b)"),
+        ("a/2 + b/2", "(a + b)/2"),
+        ("3*a + 2*b", "3 a + 2 b"),
+        ("-a + 3/4*b", "3/4 b − a"),
+        ("-a - b", "−a − b"),
+        ("x^2 - x + 1", "x² − x + 1"),
+        ("I_3*omega - I_1*omega", "(I₃ − I₁) ω"),
+        ("sqrt(3)/2*b", "√3/2 b"),
+        ("sqrt(6)*b", "√6 b"),
+        ("2*sqrt(2)", "2 √2"),
+        ("a/(2*b)", "a/(2 b)"),
+        ("1/(2*a + b)", "1/(2 a + b)"),
+        ("m_1*m_2/(m_1 + m_2)", "m₁ m₂/(m₁ + m₂)"),
+        ("-(a + b)/(3*h)", "−(a + b)/(3 h)"),
+        ("1 - cos(theta)^2", "sin² θ"),
+        ("1 - 2*cos(theta)^2 + cos(theta)^4", "sin⁴ θ"),
+        ("1/sin(theta)", "1/(sin θ)"),
+        ("sin(alpha)/2", "1/2 sin α"),
+        ("I_1*phi_dot*sin(theta)^2 + I_3*phi_dot*cos(theta)^2", "(I₁ sin² θ + I₃ cos² θ) φ̇"),
+        ("theta_ddot*phi_dot", "θ̈ φ̇"),
+        ("(a + b)^3", "(a + b)³"),
+        ("0", "0"),
+        ("-7/3", "−7/3"),
+    ] {
+        assert_eq!(of(source).to_text(), text, "{source}");
+    }
+    let symbols = symbols();
+    let sum = value("(x + y)*(a - 2*b) + 1/2");
+    assert_eq!(sum.expanded(&symbols).to_text(), "a x + a y − 2 b x − 2 b y + 1/2");
+    let x = Variable::Symbol(symbols.find("x").unwrap());
+    assert_eq!(sum.collected(&[x], &symbols).to_text(), "(a − 2 b) x + a y − 2 b y + 1/2");
+    assert_eq!(value("4*M*b^2*x").square_root(&symbols).to_formula(&symbols).to_text(), "2 b √(M x)");
+}
+
+#[test]
+fn symbols_from_their_names() {
+    for (name, text, latex) in [
+        ("b", "b", "b"),
+        ("m_1", "m₁", "m_1"),
+        ("m12", "m₁₂", "m_{12}"),
+        ("m₁", "m₁", "m_1"),
+        ("omega0", "ω₀", r"\omega_0"),
+        ("ω_0", "ω₀", r"\omega_0"),
+        ("alpha", "α", r"\alpha"),
+        ("Omega", "Ω", r"\Omega"),
+        ("I_xy", "I_xy", "I_{xy}"),
+        ("I_ij", "Iᵢⱼ", "I_{ij}"),
+        ("r_alpha", "r_α", r"r_\alpha"),
+        ("theta_max", "θ_max", r"\theta_{\max}"),
+        ("arm", "arm", r"\mathrm{arm}"),
+        ("arm_2", "arm₂", r"\mathrm{arm}_2"),
+    ] {
+        assert_eq!((named(name).to_text().as_str(), named(name).to_latex().as_str()), (text, latex));
+    }
+    let rate = named("omega_1").accented(Accent::Dot);
+    assert_eq!((rate.to_text().as_str(), rate.to_latex().as_str()), ("ω\u{307}₁", r"\dot{\omega}_1"));
+    let mover =
+        "<msub><mover accent=\"true\"><mi>ω</mi><mo stretchy=\"false\">˙</mo></mover><mn>1</mn></msub>";
+    assert!(rate.to_mathml().contains(mover));
+    assert!(hat("x_3").to_mathml().contains("<mi>𝐱</mi><mo stretchy=\"false\">ˆ</mo></mover><mn>3</mn>"));
+    assert!(vector("omega").to_mathml().contains("<mi>𝛚</mi>"));
+    assert!(Formula::text("a < b").to_mathml().contains("<mtext>a&#xa0;&lt;&#xa0;b</mtext>"));
+}

@@ -89,8 +89,7 @@ fn coefficients_over(polynomial: &Polynomial, kept: &BTreeSet<Variable>) -> Vec<
             let part = if kept.contains(&variable) { &mut inside } else { &mut outside };
             *part = part.times(&Monomial::power(variable, exponent));
         }
-        let part = parts.entry(outside).or_default();
-        *part = &*part + Polynomial::term(coefficient.clone(), inside);
+        parts.entry(outside).or_default().add_term(inside, coefficient);
     }
     parts.into_values().collect()
 }

@@ -70,8 +70,8 @@ fn with_digits(number: &Polynomial, base: &BigInt, variable: Variable) -> Polyno
                 quotient += BigInt::one();
             }
             let shifted = monomial.times(&Monomial::power(variable, power));
-            sum = sum + Polynomial::term(Rational::from(digit), shifted);
-            next = next + Polynomial::term(Rational::from(quotient), monomial.clone());
+            sum.add_term(shifted, &Rational::from(digit));
+            next.add_term(monomial.clone(), &Rational::from(quotient));
         }
         rest = next;
         power += 1;

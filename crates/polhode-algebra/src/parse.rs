@@ -23,6 +23,9 @@ const DEEPEST: usize = 50;
 const LARGEST_EXPONENT: i32 = 12;
 /// Largest number of terms of a numerator or denominator.
 const MOST_TERMS: usize = 200;
+/// Largest number of terms of a dividend, times those of a divisor with sines and roots and of its
+/// conjugates.
+const MOST_CONJUGATE_TERMS: usize = 5000;
 /// Largest degree of a numerator or denominator.
 const LARGEST_DEGREE: u32 = 40;
 
@@ -86,8 +89,7 @@ impl Parser<'_> {
                 Some('*' | '·') => product.times(&self.after(Self::factor)?),
                 Some('/') => {
                     let divisor = self.after(Self::factor)?;
-                    let quotient = product.over(&divisor);
-                    quotient.ok_or_else(|| error(ParseErrorKind::DivisionByZero, start + 1))?
+                    quotient(&product, &divisor, start + 1)?
                 }
                 _ => return Ok(product),
             };
@@ -123,8 +125,7 @@ impl Parser<'_> {
         };
         let power = (0..exponent.abs())
             .try_fold(RationalFunction::one(), |power, _| within_limits(power.times(&base), start))?;
-        let result = if exponent < 0 { RationalFunction::one().over(&power) } else { Some(power) };
-        result.ok_or_else(|| error(ParseErrorKind::DivisionByZero, start))
+        if exponent < 0 { quotient(&RationalFunction::one(), &power, start) } else { Ok(power) }
     }
 
     fn operand(&mut self) -> Parsed {
@@ -230,6 +231,17 @@ const fn error(kind: ParseErrorKind, place: usize) -> ParseError {
 
 const fn too_large(limit: &'static str, place: usize) -> ParseError {
     error(ParseErrorKind::TooLarge { limit }, place)
+}
+
+fn quotient(dividend: &RationalFunction, divisor: &RationalFunction, place: usize) -> Parsed {
+    // Each sine and root squares the number of terms, by the conjugate of the denominator.
+    let roots = divisor.numerator().variables().into_iter().filter(|v| v.is_algebraic()).count() as u32;
+    let conjugates = divisor.numerator().term_count().checked_pow(2u32.saturating_pow(roots));
+    let terms = dividend.numerator().term_count() * divisor.denominator().term_count();
+    if roots > 0 && conjugates.is_none_or(|count| count > 1000 || count * terms > MOST_CONJUGATE_TERMS) {
+        return Err(too_large("5000 terms during a division by sines and roots", place));
+    }
+    dividend.over(divisor).ok_or_else(|| error(ParseErrorKind::DivisionByZero, place))
 }
 
 /// Bounds time and memory: gcds of larger polynomials take long.

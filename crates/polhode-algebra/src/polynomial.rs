@@ -45,8 +45,11 @@ impl Polynomial {
 
     /// Returns Σ cₖ xᵏ of a variable x.
     pub fn from_coefficients(variable: Variable, coefficients: &[Self]) -> Self {
-        let powers = (0..).map(|k| Self::term(Rational::one(), Monomial::power(variable, k)));
-        coefficients.iter().zip(powers).fold(Self::zero(), |sum, (c, power)| sum + c.times(&power))
+        let mut sum = Self::zero();
+        for (k, coefficient) in (0..).zip(coefficients) {
+            sum.add(&coefficient.times(&Self::term(Rational::one(), Monomial::power(variable, k))));
+        }
+        sum
     }
 
     /// Returns the terms, the greatest monomial first.
@@ -95,13 +98,18 @@ impl Polynomial {
     /// Returns the sum.
     pub fn plus(&self, other: &Self) -> Self {
         let mut sum = self.clone();
-        for (monomial, coefficient) in &other.terms {
-            sum.add_term(monomial.clone(), coefficient);
-        }
+        sum.add(other);
         sum
     }
 
-    fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
+    fn add(&mut self, other: &Self) {
+        for (monomial, coefficient) in &other.terms {
+            self.add_term(monomial.clone(), coefficient);
+        }
+    }
+
+    /// Adds the product of a coefficient and a monomial.
+    pub(crate) fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
         let old = self.terms.remove(&monomial).unwrap_or_else(Rational::zero);
         let new = old + coefficient;
         if !new.is_zero() {
@@ -190,19 +198,18 @@ impl Polynomial {
 
     /// Returns the equal polynomial with exponents of at most 1 of each √p and sin θ.
     pub fn reduced(&self) -> Self {
-        let mut result = Self::zero();
-        for (monomial, coefficient) in &self.terms {
-            let square = monomial.powers().iter().find(|(v, exponent)| v.is_algebraic() && *exponent > 1);
-            match square {
-                None => result.add_term(monomial.clone(), coefficient),
-                Some(&(variable, exponent)) => {
-                    let rest = monomial.without(variable).times(&Monomial::power(variable, exponent % 2));
-                    let rest = Self::term(coefficient.clone(), rest);
-                    result = result + rest.times(&square_of(variable).pow(exponent / 2)).reduced();
-                }
+        let is_square = |&(v, exponent): &(Variable, u32)| v.is_algebraic() && exponent > 1;
+        let mut powers = self.terms.keys().flat_map(|monomial| monomial.powers());
+        let Some(&(variable, _)) = powers.find(|power| is_square(power)) else { return self.clone() };
+        let mut parts = [Self::zero(), Self::zero()];
+        let mut square = Self::one();
+        for (k, coefficient) in self.coefficients_in(variable).iter().enumerate() {
+            if k > 1 && k % 2 == 0 {
+                square = square.times(&square_of(variable));
             }
+            parts[k % 2].add(&coefficient.times(&square));
         }
-        result
+        Self::from_coefficients(variable, &parts).reduced()
     }
 
     /// Returns the content: the positive rational number that leaves integers without a common

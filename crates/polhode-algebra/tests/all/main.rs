@@ -10,4 +10,5 @@ mod lagrange;
 mod parsing;
 mod rationals;
 mod roots;
+mod round_trip;
 mod vectors;

@@ -23,8 +23,8 @@ const LARGEST_VALUE: i64 = 20;
 
 /// Returns the roots that are rational functions of a polynomial without multiple roots.
 ///
-/// `None` if √p or sin θ occur in it, over which there is no unique factorization, or if too many
-/// values had to be tried.
+/// `None` if √p or sin θ occur in it, where factorization is not unique, or if too many values had
+/// to be tried.
 pub(crate) fn rational_roots(polynomial: &Univariate) -> Option<Vec<RationalFunction>> {
     let monic = polynomial.monic();
     let coefficients = monic.coefficients();
@@ -106,7 +106,7 @@ fn integer_roots(coefficients: &[BigInt]) -> Option<Vec<BigInt>> {
     let slopes: Vec<BigInt> = coefficients.iter().enumerate().skip(1).map(|(k, c)| c * k).collect();
     let at = |c: &[BigInt], x: &BigInt| c.iter().rev().fold(BigInt::zero(), |sum, c| sum * x + c);
     // Cauchy's bound of the roots.
-    let bound = coefficients.iter().map(|c| c.abs()).max()? + BigInt::one();
+    let bound = coefficients.iter().map(Signed::abs).max()? + BigInt::one();
     let is_prime = |p: &i64| (2..).take_while(|d| d * d <= *p).all(|d| p % d != 0);
     for prime in (101..LARGEST_PRIME).step_by(2).filter(is_prime) {
         let modulus = BigInt::from(prime);

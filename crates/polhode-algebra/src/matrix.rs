@@ -88,6 +88,13 @@ impl Matrix {
         self.row(0).dot(&self.row(1).cross(&self.row(2)))
     }
 
+    /// Returns the inverse, from the vector products of the rows; `None` if the determinant is zero.
+    pub fn inverse(&self) -> Option<Self> {
+        let scale = RationalFunction::one().over(&self.determinant())?;
+        let rows = [0, 1, 2].map(|k| self.row((k + 1) % 3).cross(&self.row((k + 2) % 3)).0);
+        Some(Self(rows).transposed().scaled(&scale))
+    }
+
     /// Returns det(λ − A) = λ³ − tr A λ² + M λ − det A, where M is the sum of the principal minors.
     pub fn characteristic_polynomial(&self) -> Univariate {
         let minor = |[i, j]: [usize; 2]| &self.0[i][i] * &self.0[j][j] - &self.0[i][j] * &self.0[j][i];

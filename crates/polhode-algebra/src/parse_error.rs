@@ -28,7 +28,7 @@ pub enum ParseErrorKind {
     Number(RationalError),
     /// An unknown symbol.
     UnknownSymbol {
-        /// The unknown name.
+        /// Name as it is written.
         name: String,
         /// Closest declared name, if one is close.
         suggestion: Option<String>,
@@ -37,12 +37,12 @@ pub enum ParseErrorKind {
     },
     /// An unknown function.
     UnknownFunction {
-        /// The unknown name.
+        /// Name as it is written.
         name: String,
     },
     /// An exponent that is not a small integer.
     Exponent {
-        /// The exponent as written.
+        /// Exponent as it is written.
         found: String,
     },
     /// A quotient whose denominator is zero.

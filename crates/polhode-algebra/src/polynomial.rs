@@ -17,12 +17,12 @@ pub struct Polynomial {
 }
 
 impl Polynomial {
-    /// Returns zero.
+    /// Returns the polynomial zero.
     pub const fn zero() -> Self {
         Self { terms: BTreeMap::new() }
     }
 
-    /// Returns one.
+    /// Returns the polynomial one.
     pub fn one() -> Self {
         Self::constant(Rational::one())
     }
@@ -199,7 +199,7 @@ impl Polynomial {
     /// Returns the equal polynomial with exponents of at most 1 of each √p and sin θ.
     pub fn reduced(&self) -> Self {
         let is_square = |&(v, exponent): &(Variable, u32)| v.is_algebraic() && exponent > 1;
-        let mut powers = self.terms.keys().flat_map(|monomial| monomial.powers());
+        let mut powers = self.terms.keys().flat_map(Monomial::powers);
         let Some(&(variable, _)) = powers.find(|power| is_square(power)) else { return self.clone() };
         let mut parts = [Self::zero(), Self::zero()];
         let mut square = Self::one();

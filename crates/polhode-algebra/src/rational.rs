@@ -49,12 +49,12 @@ impl Rational {
         Self { numerator: numerator / &divisor, denominator: denominator / &divisor }
     }
 
-    /// Returns zero.
+    /// Returns the number zero.
     pub fn zero() -> Self {
         Self::from(0)
     }
 
-    /// Returns one.
+    /// Returns the number one.
     pub fn one() -> Self {
         Self::from(1)
     }

@@ -58,12 +58,12 @@ impl RationalFunction {
         &self.denominator
     }
 
-    /// Returns zero.
+    /// Returns the function zero.
     pub fn zero() -> Self {
         Self::from(0)
     }
 
-    /// Returns one.
+    /// Returns the function one.
     pub fn one() -> Self {
         Self::from(1)
     }
@@ -160,10 +160,12 @@ impl RationalFunction {
         replaced(&self.numerator, value)?.over(&replaced(&self.denominator, value)?)
     }
 
-    /// Returns true if every coefficient is positive, so that the function is positive where all
-    /// variables are.
+    /// Returns true if every coefficient is positive, and no sine or cosine occurs, so that the
+    /// function is positive wherever all symbols are.
     pub fn has_positive_coefficients(&self) -> bool {
-        let is_positive = |p: &Polynomial| p.terms().all(|(_, coefficient)| !coefficient.is_negative());
+        let is_angle = |v: &Variable| matches!(v, Variable::Sine(_) | Variable::Cosine(_));
+        let is_positive =
+            |p: &Polynomial| p.terms().all(|(_, c)| !c.is_negative()) && !p.variables().iter().any(is_angle);
         !self.is_zero() && is_positive(&self.numerator) && is_positive(&self.denominator)
     }
 }

@@ -14,14 +14,14 @@ pub struct Roots {
     /// Roots in the field of rational functions and square roots of numbers, each with its
     /// multiplicity; ascending where that holds for all positive values of the symbols.
     pub rational: Vec<(RationalFunction, usize)>,
-    /// Remaining roots.
+    /// Roots besides these.
     pub rest: RemainingRoots,
 }
 
 /// Roots that are not rational functions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RemainingRoots {
-    /// There are no others.
+    /// All roots are rational functions.
     None,
     /// The two roots of a quadratic equation.
     Pair(RootPair),

@@ -10,9 +10,9 @@ use crate::symbols::Symbols;
 /// Product c √d of a rational function and the square root of another one.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct SquareRoot {
-    /// Factor c.
+    /// Factor c before the root.
     pub outside: RationalFunction,
-    /// Radicand d.
+    /// Radicand d under the root.
     pub inside: RationalFunction,
 }
 

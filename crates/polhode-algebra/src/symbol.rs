@@ -31,7 +31,7 @@ impl Symbol {
 pub enum Variable {
     /// Square root of a prime number.
     Root(u32),
-    /// A symbol.
+    /// Symbol itself, or its derivative.
     Symbol(Symbol),
     /// Sine of an angle.
     Sine(Symbol),

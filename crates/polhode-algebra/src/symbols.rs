@@ -41,17 +41,17 @@ pub enum Kind {
 pub enum SymbolError {
     /// The name is not a letter followed by letters, digits and `_`.
     Form {
-        /// The name.
+        /// Name that was given.
         name: String,
     },
     /// The name is that of a function.
     Reserved {
-        /// The name.
+        /// Name that was given.
         name: String,
     },
     /// Another symbol has the same name, or is printed in the same way: `m1` and `m_1`.
     Duplicate {
-        /// The name.
+        /// Name that was given.
         name: String,
         /// Name of the symbol that is declared already.
         other: String,

@@ -15,6 +15,7 @@ use crate::roots::RootPair;
 use crate::square_root::SquareRoot;
 use crate::symbol::{Symbol, Variable};
 use crate::symbols::Symbols;
+use crate::univariate::Univariate;
 use crate::vector::Vector;
 
 impl RationalFunction {
@@ -54,11 +55,9 @@ impl RationalFunction {
 impl SquareRoot {
     /// Returns c √d.
     pub fn to_formula(&self, symbols: &Symbols) -> Formula {
-        let root = || self.inside.to_formula(symbols).root();
-        match (self.inside.as_constant(), self.outside.as_constant()) {
-            (Some(inside), _) if inside.is_one() => self.outside.to_formula(symbols),
-            (_, Some(outside)) if outside.is_one() => root(),
-            _ => self.outside.to_formula(symbols).times(root()),
+        match self.inside.as_constant() {
+            Some(inside) if inside.is_one() => self.outside.to_formula(symbols),
+            _ => with_factor(&self.outside, self.inside.to_formula(symbols).root(), symbols),
         }
     }
 }
@@ -90,6 +89,22 @@ impl RootPair {
     }
 }
 
+impl Univariate {
+    /// Returns the sum over the powers of an unknown: λ³ − 2 M b² λ² + ….
+    pub fn to_formula(&self, unknown: &Formula, symbols: &Symbols) -> Formula {
+        let powers = self.coefficients().iter().enumerate().rev().filter(|(_, c)| !c.is_zero());
+        let terms = powers.map(|(power, coefficient)| {
+            let power = match power {
+                0 => return coefficient.to_formula(symbols),
+                1 => unknown.clone(),
+                _ => unknown.clone().power(Formula::integer(power as i64)),
+            };
+            with_factor(coefficient, power, symbols)
+        });
+        Formula::sum(terms.collect())
+    }
+}
+
 impl Vector {
     /// Returns the components in parentheses: (1, 1, −2).
     pub fn to_formula(&self, symbols: &Symbols) -> Formula {
@@ -100,14 +115,7 @@ impl Vector {
     /// Returns the sum of components and unit vectors: ω sin α ŷ + ω cos α ẑ.
     pub fn in_basis(&self, basis: &[Formula; 3], symbols: &Symbols) -> Formula {
         let terms = self.0.iter().zip(basis).filter(|(component, _)| !component.is_zero());
-        let terms: Vec<Formula> = terms
-            .map(|(component, unit)| match component.as_constant() {
-                Some(one) if one.is_one() => unit.clone(),
-                Some(one) if (-&one).is_one() => unit.clone().negative(),
-                _ => component.to_formula(symbols).times(unit.clone()),
-            })
-            .collect();
-        Formula::sum(terms)
+        Formula::sum(terms.map(|(component, unit)| with_factor(component, unit.clone(), symbols)).collect())
     }
 }
 
@@ -121,11 +129,16 @@ impl Matrix {
     /// Returns the common factor and the matrix of the rest: M b² and a matrix of numbers.
     pub fn factored_formula(&self, fence: Fence, symbols: &Symbols) -> Formula {
         let (factor, rest) = self.factored();
-        let matrix = rest.to_formula(fence, symbols);
-        match factor.as_constant() {
-            Some(one) if one.is_one() => matrix,
-            _ => factor.to_formula(symbols).times(matrix),
-        }
+        with_factor(&factor, rest.to_formula(fence, symbols), symbols)
+    }
+}
+
+/// Returns the product of a value and a formula, without a factor of 1.
+fn with_factor(value: &RationalFunction, formula: Formula, symbols: &Symbols) -> Formula {
+    match value.as_constant() {
+        Some(one) if one.is_one() => formula,
+        Some(one) if (-&one).is_one() => formula.negative(),
+        _ => value.to_formula(symbols).times(formula),
     }
 }
 
@@ -138,7 +151,7 @@ fn with_fewest_terms(value: &RationalFunction) -> (Polynomial, Polynomial) {
         let old = [numerator, denominator];
         let everywhere = old.each_ref().map(|p| in_sines(p, symbol));
         let best = if count(&everywhere) < count(&old) { everywhere } else { old };
-        let [above, below] = best.map(|p| with_sine_pairs(p, symbol));
+        let [above, below] = best.each_ref().map(|p| with_sine_pairs(p, symbol));
         // sin θ/(1 − cos² θ) = 1/sin θ
         let divisor = gcd(&above, &below);
         let quotient = |p: &Polynomial| p.over(&divisor).unwrap_or_default();
@@ -159,7 +172,7 @@ fn in_sines(polynomial: &Polynomial, angle: Symbol) -> Polynomial {
 }
 
 /// Returns a polynomial with a sin² θ in place of each pair of terms a − a cos² θ.
-fn with_sine_pairs(polynomial: Polynomial, angle: Symbol) -> Polynomial {
+fn with_sine_pairs(polynomial: &Polynomial, angle: Symbol) -> Polynomial {
     let square = Monomial::power(Variable::Cosine(angle), 2);
     let difference = Polynomial::one() - Polynomial::term(Rational::one(), square.clone());
     let sine = Polynomial::variable(Variable::Sine(angle)).pow(2);

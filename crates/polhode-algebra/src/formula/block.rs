@@ -30,10 +30,10 @@ impl Block {
 
     /// Returns blocks side by side, their base lines at the same height.
     pub(super) fn row(blocks: impl IntoIterator<Item = Self>) -> Self {
-        blocks.into_iter().reduce(Self::beside).unwrap_or_else(|| Self::line(""))
+        blocks.into_iter().reduce(|left, right| left.beside(&right)).unwrap_or_else(|| Self::line(""))
     }
 
-    fn beside(self, other: Self) -> Self {
+    fn beside(self, other: &Self) -> Self {
         let base = self.base.max(other.base);
         let below = (self.lines.len() - self.base).max(other.lines.len() - other.base);
         let (left, right) = (self.width(), other.width());
@@ -42,7 +42,7 @@ impl Block {
                 let line = (k + block.base).checked_sub(base).and_then(|k| block.lines.get(k));
                 padded(line.map_or("", String::as_str), width, Align::Left)
             };
-            part(&self, left) + &part(&other, right)
+            part(&self, left) + &part(other, right)
         });
         Self { lines: lines.collect(), base }
     }

@@ -11,7 +11,7 @@ mod mathml;
 mod name;
 mod text;
 
-/// Formula.
+/// Formula as a tree.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Formula {
     /// Number without sign, in digits: `2`, `0.25`.
@@ -20,21 +20,21 @@ pub enum Formula {
     Letter(String, Style),
     /// Words or units within a formula; empty for an omitted left side.
     Text(String),
-    /// −a
+    /// Negative value −a.
     Negative(Box<Formula>),
     /// a + b − c, where −c is [`Formula::Negative`].
     Sum(Vec<Formula>),
-    /// a b c
+    /// Product a b c.
     Product(Vec<Formula>),
     /// a × b, with one operator between all operands.
     Operation(Operator, Vec<Formula>),
-    /// Quotient.
+    /// Numerator and denominator.
     Fraction(Box<Formula>, Box<Formula>),
     /// Base and exponent.
     Power(Box<Formula>, Box<Formula>),
     /// Base and index.
     Subscript(Box<Formula>, Box<Formula>),
-    /// Square root.
+    /// Square root √a.
     Root(Box<Formula>),
     /// Function or operator with its argument: sin θ, f(t), d/dt (…).
     Function(Box<Formula>, Box<Formula>),
@@ -42,7 +42,7 @@ pub enum Formula {
     Differential {
         /// True for ∂.
         is_partial: bool,
-        /// Variable.
+        /// Variable that changes.
         of: Box<Formula>,
     },
     /// Letter with a mark above it.
@@ -53,7 +53,7 @@ pub enum Formula {
         operator: Large,
         /// Lower limit, or index of summation.
         below: Option<Box<Formula>>,
-        /// Upper limit.
+        /// Upper limit, if any.
         above: Option<Box<Formula>>,
         /// Summand or integrand.
         body: Box<Formula>,
@@ -92,9 +92,9 @@ pub enum Accent {
     DoubleDot,
     /// Third time derivative.
     TripleDot,
-    /// Unit vector.
+    /// Mark of unit vectors.
     Hat,
-    /// Mean value.
+    /// Mark of mean values.
     Bar,
 }
 
@@ -112,47 +112,47 @@ pub enum Operator {
 /// Operator with limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Large {
-    /// Sum Σ.
+    /// Sum, with Σ.
     Sum,
-    /// Integral ∫.
+    /// Integral, with ∫.
     Integral,
 }
 
 /// Pair of brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fence {
-    /// ( )
+    /// Parentheses ( ).
     Parentheses,
-    /// [ ]
+    /// Square brackets [ ].
     Brackets,
-    /// { }
+    /// Curly braces { }.
     Braces,
-    /// | |
+    /// Vertical bars | |.
     Bars,
 }
 
 /// Sign of a relation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Relation {
-    /// =
+    /// Equal sign =.
     Equal,
-    /// ≠
+    /// Unequal sign ≠.
     Unequal,
     /// ≡, equal by definition.
     Defined,
     /// ≃, equal up to terms of higher order.
     Approximate,
-    /// <
+    /// Less than: <.
     Less,
-    /// ≤
+    /// Less or equal: ≤.
     AtMost,
-    /// >
+    /// Greater than: >.
     Greater,
-    /// ≥
+    /// Greater or equal: ≥.
     AtLeast,
-    /// →, leads to.
+    /// Leads to: →.
     To,
-    /// ⇒, implies.
+    /// Implies the next: ⇒.
     Implies,
 }
 

@@ -43,7 +43,7 @@ fn operations_agree_with_their_values() {
     let names = variables(["x", "y", "sin(alpha)", "cos(alpha)"]);
     let mut random = Random(21);
     let mut compared = 0;
-    for seed in 0..60 {
+    for seed in 0..30 {
         let (f, g) = (random.quotient(&names), random.quotient(&names));
         let point = Point::new(seed);
         let (Some(a), Some(b)) = (point.at(&f), point.at(&g)) else { continue };
@@ -61,7 +61,7 @@ fn operations_agree_with_their_values() {
         check(&f.pow(3).unwrap(), a.pow(3));
         compared += 1;
     }
-    assert!(compared > 50, "{compared}");
+    assert!(compared > 25, "{compared}");
 }
 
 fn assert_is_canonical(function: &RationalFunction) {

@@ -1,6 +1,6 @@
 //! Roots in closed form, eigenvalues and eigenvectors.
 
-use polhode_algebra::{Matrix, RationalFunction, RemainingRoots, Univariate, Vector};
+use polhode_algebra::{Formula, Matrix, RationalFunction, RemainingRoots, Univariate, Vector};
 
 use crate::common::{Random, symbols, value, variables};
 
@@ -38,6 +38,8 @@ fn cube_of_the_notes() {
     let plane = cube.eigenvectors(&roots.rational[1].0);
     assert_eq!(plane, [Vector(["1", "-1", "0"].map(value)), Vector(["1", "1", "-2"].map(value))]);
     assert_eq!(cube.eigenvectors(&value("M*b^2")), []);
+    let polynomial = cube.characteristic_polynomial().to_formula(&Formula::named("lambda"), &symbols());
+    assert_eq!(polynomial.to_text(), "λ³ − 2 M b² λ² + 55/48 M² b⁴ λ − 121/864 M³ b⁶");
 }
 
 #[test]

@@ -92,6 +92,17 @@ fn matrices_by_their_definitions() {
 }
 
 #[test]
+fn inverses() {
+    let rows = [["a", "x", "0"], ["x", "b", "1"], ["2", "1/y", "cos(alpha)"]];
+    let matrix = Matrix(rows.map(|row| row.map(value)));
+    let inverse = matrix.inverse().unwrap();
+    assert_eq!(&matrix * &inverse, Matrix::identity());
+    assert_eq!(inverse * &matrix, Matrix::identity());
+    let r = vector(["x", "y", "z"]);
+    assert_eq!(Matrix::outer(&r, &r).inverse(), None);
+}
+
+#[test]
 fn rotations_keep_the_invariants() {
     let rows = [["cos(alpha)", "-sin(alpha)", "0"], ["sin(alpha)", "cos(alpha)", "0"], ["0", "0", "1"]];
     let turn = Matrix(rows.map(|row| row.map(value)));

@@ -1,7 +1,6 @@
 //! Greatest common divisors of polynomials in several variables.
 //!
-//! Images modulo a prime show which variables the gcd may have, and mostly that it is 1. Then a
-//! heuristic is tried, which is fast and proves its result. If it does not succeed, the primitive
+//! First a heuristic, which is fast and proves its result. If it does not succeed, the primitive
 //! Euclidean algorithm follows (Knuth, *The Art of Computer Programming*, §4.6.1, algorithm E;
 //! Geddes, Czapor and Labahn, §7.2): polynomials in one main variable, whose coefficients are
 //! polynomials in the others. Remainders are divided by their contents, which keeps coefficients as
@@ -10,7 +9,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::heuristic_gcd::heuristic_gcd;
-use crate::modular::variables_of_gcd;
 use crate::monomial::Monomial;
 use crate::polynomial::Polynomial;
 use crate::rational::Rational;
@@ -67,10 +65,7 @@ fn of_primitive(a: &Polynomial, b: &Polynomial) -> Polynomial {
     if a == b {
         return a.clone();
     }
-    let shared = variables_of_gcd(a, b);
-    if shared.is_empty() {
-        return Polynomial::one();
-    }
+    let shared: BTreeSet<Variable> = a.variables().intersection(&b.variables()).copied().collect();
     if a.variables() != shared || b.variables() != shared {
         // The gcd divides all coefficients of products of the other variables.
         let mut parts = [a, b].map(|p| coefficients_over(p, &shared)).concat();

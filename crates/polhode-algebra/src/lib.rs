@@ -10,7 +10,6 @@ mod heuristic_gcd;
 mod integer;
 mod lifting;
 mod matrix;
-mod modular;
 mod monomial;
 mod nearest;
 mod operators;

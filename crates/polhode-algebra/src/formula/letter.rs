@@ -1,43 +1,9 @@
 //! Letters: Greek names, superscripts, subscripts and bold forms of Unicode.
 
-/// Greek letters with their names; capitals that look Latin have no name in LaTeX.
-const GREEK: [(&str, char); 35] = [
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("iota", 'ι'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("pi", 'π'),
-    ("rho", 'ρ'),
-    ("sigma", 'σ'),
-    ("tau", 'τ'),
-    ("upsilon", 'υ'),
-    ("phi", 'φ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-    ("Gamma", 'Γ'),
-    ("Delta", 'Δ'),
-    ("Theta", 'Θ'),
-    ("Lambda", 'Λ'),
-    ("Xi", 'Ξ'),
-    ("Pi", 'Π'),
-    ("Sigma", 'Σ'),
-    ("Upsilon", 'Υ'),
-    ("Phi", 'Φ'),
-    ("Psi", 'Ψ'),
-    ("Omega", 'Ω'),
-    ("ell", 'ℓ'),
-];
+/// Names of letters; capitals that look Latin have none in LaTeX.
+const NAMES: &str = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau \
+                     upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega ell";
+const LETTERS: &str = "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩℓ";
 
 /// Characters of indices. Unicode has more, but not all letters of any set: Nₓ next to N_y, or mₐ next
 /// to m_b, would look like different things.
@@ -48,12 +14,12 @@ const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ᵃᵇᶜ�
 
 /// Returns the letter with a name such as `omega`.
 pub(super) fn greek(name: &str) -> Option<char> {
-    GREEK.iter().find(|(other, _)| *other == name).map(|&(_, letter)| letter)
+    NAMES.split(' ').zip(LETTERS.chars()).find(|(other, _)| *other == name).map(|(_, letter)| letter)
 }
 
 /// Returns the name of a Greek letter, which is its command in LaTeX.
 pub(super) fn name(letter: char) -> Option<&'static str> {
-    GREEK.iter().find(|(_, other)| *other == letter).map(|&(name, _)| name)
+    NAMES.split(' ').zip(LETTERS.chars()).find(|(_, other)| *other == letter).map(|(name, _)| name)
 }
 
 /// Returns the digit, or letter, of a subscript.

@@ -43,8 +43,10 @@ pub(super) enum Place {
     LastFactor,
     /// Numerator of a/b.
     Numerator,
-    /// Denominator of a/b, variable of a differential.
+    /// Denominator of a/b.
     Denominator,
+    /// Variable of a differential.
+    Differential,
     /// Base of a power.
     Base,
 }
@@ -54,6 +56,7 @@ impl Formula {
     pub(super) fn needs_parentheses(&self, place: Place, quotients: Quotients) -> bool {
         let level = self.level(quotients);
         match place {
+            Place::Numerator | Place::Denominator if quotients == Quotients::Stacked => false,
             Place::FirstTerm => level < Level::Sum,
             Place::Term => level < Level::Operation,
             Place::Operand | Place::LastFactor => level < Level::Product,
@@ -63,7 +66,7 @@ impl Formula {
                     || matches!(self, Self::Fraction(..) | Self::Limits { .. })
                     || self.is_open_ended()
             }
-            Place::Denominator => level < Level::Power,
+            Place::Denominator | Place::Differential => level < Level::Power,
             Place::Base => level < Level::Atom,
         }
     }

@@ -10,6 +10,7 @@ mod level;
 mod mathml;
 mod name;
 mod text;
+mod writer;
 
 /// Formula as a tree.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

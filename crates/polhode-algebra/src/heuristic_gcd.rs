@@ -1,10 +1,11 @@
 //! Greatest common divisors from those of integers.
 //!
-//! The heuristic algorithm of Char, Geddes and Gonnet (Geddes, Czapor and Labahn, algorithm 7.4):
+//! The heuristic algorithm of Char, Geddes and Gonnet (Geddes, Czapor and Labahn, §7.7):
 //! one variable after the other gets a large integer as its value ξ. The gcd of the values, written
 //! with digits to the base ξ between −ξ/2 and ξ/2, has the coefficients of the gcd as its digits,
 //! unless the values have an additional common divisor. A result that divides both polynomials is
-//! their gcd, because ξ > 1 + 2 min(‖a‖, ‖b‖) with the largest coefficients (theorem 7.7).
+//! their gcd, because ξ > 2 + 2 min(‖a‖, ‖b‖) with the largest coefficients: another factor h(x) would
+//! have |h(ξ)| > ξ/2, as its roots are at most 1 + min(‖a‖, ‖b‖), and would divide a digit.
 
 use num_bigint::BigInt;
 use num_integer::Integer;

@@ -3,7 +3,7 @@
 //! Gauss's lemma: a root of a monic polynomial with polynomials over the integers as coefficients is
 //! such a polynomial, if it is a rational function at all. It is found at one value of each variable,
 //! and there modulo a prime, and lifted from there by Newton's iteration (Geddes, Czapor and
-//! Labahn, §6.2 and 6.3). A lifted root counts only if it is an exact root.
+//! Labahn, §6.3). A lifted root counts only if it is an exact root.
 
 use num_bigint::BigInt;
 use num_integer::Integer;

@@ -6,8 +6,8 @@ use crate::symbol::Variable;
 
 /// Product of powers of variables.
 ///
-/// The order is graded lexicographic (Geddes, Czapor and Labahn, *Algorithms for Computer Algebra*,
-/// definition 10.3): by total degree, then by the exponent of the first variable that differs.
+/// The order is graded lexicographic (Cox, Little and O'Shea, *Ideals, Varieties, and Algorithms*,
+/// §2.2): by total degree, then by the exponent of the first variable that differs.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Monomial {
     /// Variables in order with their exponents, which are positive.

@@ -30,10 +30,10 @@ impl Block {
 
     /// Returns blocks side by side, their base lines at the same height.
     pub(super) fn row(blocks: impl IntoIterator<Item = Self>) -> Self {
-        blocks.into_iter().reduce(|left, right| left.beside(&right)).unwrap_or_else(|| Self::line(""))
+        blocks.into_iter().reduce(|left, right| left.joined(&right)).unwrap_or_else(|| Self::line(""))
     }
 
-    fn beside(self, other: &Self) -> Self {
+    fn joined(self, other: &Self) -> Self {
         let base = self.base.max(other.base);
         let below = (self.lines.len() - self.base).max(other.lines.len() - other.base);
         let (left, right) = (self.width(), other.width());

@@ -7,6 +7,7 @@ use crate::{Outcome, read, root};
 /// Crates, each with the crates that it may use.
 const MAY_USE: [(&str, &[&str]); 18] = [
     ("polhode", &[]),
+    ("polhode-algebra", &[]),
     ("polhode-source", &["polhode"]),
     ("polhode-document", &["polhode"]),
     ("polhode-table", &["polhode", "polhode-source"]),

@@ -47,6 +47,7 @@ const FORBIDDEN: [(&str, &[&str], &str); 16] = [
         &["propagate::", "Stepper", "Trajectory::compute"],
         "observe never integrates",
     ),
+    ("crates/polhode-algebra/src/", &OUTSIDE, FILES),
     ("crates/polhode-source/src/", &OUTSIDE, FILES),
     ("crates/polhode-document/src/", &OUTSIDE, FILES),
     ("crates/polhode-table/src/", &OUTSIDE, FILES),

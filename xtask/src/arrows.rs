@@ -5,14 +5,16 @@
 use crate::{Outcome, read, root};
 
 /// Crates, each with the crates that it may use.
-const MAY_USE: [(&str, &[&str]); 18] = [
+const MAY_USE: [(&str, &[&str]); 20] = [
     ("polhode", &[]),
+    ("polhode-algebra", &[]),
     ("polhode-source", &["polhode"]),
     ("polhode-document", &["polhode"]),
     ("polhode-table", &["polhode", "polhode-source"]),
     ("polhode-shape", &GROUND),
-    ("polhode-scenario", &WITH_SHAPE),
-    ("polhode-robot", &WITH_SHAPE),
+    ("polhode-course", &["polhode", "polhode-algebra", "polhode-source", "polhode-document"]),
+    ("polhode-scenario", &WITH_SHAPE_AND_ALGEBRA),
+    ("polhode-robot", WITH_SHAPE),
     ("polhode-judge", &SLICE),
     ("polhode-identify", &SLICE),
     ("polhode-budget", &SLICE),
@@ -27,8 +29,9 @@ const MAY_USE: [(&str, &[&str]); 18] = [
 ];
 
 const GROUND: [&str; 4] = ["polhode", "polhode-source", "polhode-document", "polhode-table"];
-const WITH_SHAPE: [&str; 5] =
-    ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape"];
+const WITH_SHAPE: &[&str] = WITH_SHAPE_AND_ALGEBRA.split_at(5).0;
+const WITH_SHAPE_AND_ALGEBRA: [&str; 6] =
+    ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape", "polhode-algebra"];
 const SLICE: [&str; 6] =
     ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape", "polhode-scenario"];
 const FRONT: [&str; 15] = [

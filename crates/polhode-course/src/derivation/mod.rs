@@ -1,0 +1,1 @@
+//! Derivations of the results of the lecture notes.

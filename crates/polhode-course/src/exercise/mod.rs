@@ -1,0 +1,1 @@
+//! Exercises with generic numbers, their solutions, and marks for answers.

@@ -1,0 +1,4 @@
+//! Tests of derivations and exercises.
+
+mod derivations;
+mod exercises;

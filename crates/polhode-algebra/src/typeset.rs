@@ -126,9 +126,18 @@ impl Matrix {
         Formula::Matrix(fence, self.0.iter().map(row).collect())
     }
 
-    /// Returns the common factor and the matrix of the rest: M b² and a matrix of numbers.
+    /// Returns the common factor and the matrix of the rest: M b² and a matrix of numbers. A number
+    /// that all elements share is in the factor, so that the matrix has only 0, 1 and −1.
     pub fn factored_formula(&self, fence: Fence, symbols: &Symbols) -> Formula {
-        let (factor, rest) = self.factored();
+        let (mut factor, mut rest) = self.factored();
+        let numbers = rest.0.iter().flatten().map(RationalFunction::as_constant);
+        let sizes: Option<Vec<Rational>> = numbers.map(|number| Some(number?.abs())).collect();
+        let mut sizes = sizes.unwrap_or_default().into_iter().filter(|size| !size.is_zero());
+        if let Some(first) = sizes.next().filter(|first| sizes.all(|size| size == *first))
+            && let Some(inverse) = Rational::one().over(&first)
+        {
+            (factor, rest) = (factor.scaled(&first), rest.map(|element| element.scaled(&inverse)));
+        }
         with_factor(&factor, rest.to_formula(fence, symbols), symbols)
     }
 }

@@ -51,6 +51,7 @@ pub mod shape;
 mod start;
 mod substance;
 mod sweep;
+mod symbolic;
 mod symbols;
 mod target;
 mod template;
@@ -71,6 +72,7 @@ use polhode_source::toml::source::Source;
 use polhode_source::toml::tree::Entries;
 use polhode_source::{FormatError, FormatErrorKind, Place};
 
+use crate::symbolic::{Gap, Symbolic};
 use mass_history::PartHistory;
 use pointing::References;
 use torque::TorquePlaces;
@@ -172,6 +174,18 @@ impl ScenarioFile {
             .with("title", title.map(str::to_owned))
             .with("parts", self.scenario.parts().len());
         InertiaReport::of_scenario(source, &self.scenario)
+    }
+
+    /// Returns the scenario in symbols; `None` for a file without `[symbols]`.
+    ///
+    /// # Errors
+    /// [`Gap`] if its body is not an exact formula of the symbols.
+    pub fn symbolic(&self, files: &dyn Files) -> Option<Result<Symbolic, Gap>> {
+        let source = Source { headings: &TOP, ..Source::new(files, &self.path, &self.text) };
+        let entries = document(source).ok()?;
+        let symbols = symbols::symbols(&Table::root(source, &entries)).ok()?;
+        let has_symbols = !symbols.all().is_empty();
+        has_symbols.then(|| symbolic::symbolic(source, &entries, &symbols, &self.scenario))
     }
 
     /// Returns an error of the motion with its place in the file, if it concerns one of the

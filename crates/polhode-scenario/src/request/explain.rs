@@ -47,7 +47,11 @@ pub struct Request {
 /// [`Failure`] if a file cannot be read or the motion cannot be computed.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Solution, Failure> {
     let file = ScenarioFile::read(files, &request.file)?;
-    report::explain(&file.scenario).map(Solution).map_err(|error| failed(&file, error))
+    let document = match file.symbolic(files) {
+        Some(symbolic) => report::explain_in_symbols(&file.scenario, symbolic.as_ref()),
+        None => report::explain(&file.scenario),
+    };
+    document.map(Solution).map_err(|error| failed(&file, error))
 }
 
 /// Worked solution of a scenario.

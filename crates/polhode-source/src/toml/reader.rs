@@ -382,7 +382,10 @@ impl<'a> Value<'a> {
     /// Returns the value as a finite plain number.
     pub fn number(&self) -> Result<f64, FormatError> {
         self.asks(|| What::Number);
-        self.varying(Dimension::NONE, || self.written_number())
+        match self.evaluated(Dimension::NONE) {
+            Some(value) => value,
+            None => self.varying(Dimension::NONE, || self.written_number()),
+        }
     }
 
     fn written_number(&self) -> Result<f64, FormatError> {
@@ -402,13 +405,18 @@ impl<'a> Value<'a> {
     /// Returns a quantity in SI units, from a number or a string with a unit.
     pub fn quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {
         self.asks(|| What::Quantity(dimension));
-        match (&self.value.kind, self.source.symbols) {
-            // Not cached, because its value changes with the symbols.
-            (Kind::Text(text), Some(symbols)) if symbols.is_formula(text) => {
-                symbols.evaluate(text, dimension).map_err(|error| self.formula(error))
-            }
-            _ => self.varying(dimension, || self.written_quantity(dimension)),
+        match self.evaluated(dimension) {
+            Some(value) => value,
+            None => self.varying(dimension, || self.written_quantity(dimension)),
         }
+    }
+
+    /// Returns the value of a formula of symbols; `None` if it is no formula. It is not cached,
+    /// because it changes with the symbols.
+    fn evaluated(&self, dimension: Dimension) -> Option<Result<f64, FormatError>> {
+        let (Kind::Text(text), Some(symbols)) = (&self.value.kind, self.source.symbols) else { return None };
+        let value = || symbols.evaluate(text, dimension).map_err(|error| self.formula(error));
+        symbols.is_formula(text).then(value)
     }
 
     /// Returns true for a text with the name of a symbol.

@@ -13,6 +13,8 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use polhode::math::formula::Formula;
+
 use crate::expression::{ExpressionError, ExpressionErrorKind, measured};
 use crate::unit::{self, Dimension};
 
@@ -52,7 +54,7 @@ impl Symbols {
 
     /// Returns true if a text is a formula, in a scenario with symbols: it is not a quantity of any
     /// dimension.
-    pub(crate) fn is_formula(&self, text: &str) -> bool {
+    pub fn is_formula(&self, text: &str) -> bool {
         !self.0.is_empty() && unit::measured(text).is_err()
     }
 
@@ -61,11 +63,32 @@ impl Symbols {
         words(text).any(|word| self.0.iter().any(|symbol| symbol.name == word))
     }
 
-    /// Returns the value of a formula, SI units.
-    pub(crate) fn evaluate(&self, text: &str, dimension: Dimension) -> Result<f64, ExpressionError> {
+    /// Returns a formula; variable n is symbol n.
+    ///
+    /// # Errors
+    /// [`ExpressionError`] for a text that is no formula of the symbols with this dimension.
+    pub fn formula(&self, text: &str, dimension: Dimension) -> Result<Formula, ExpressionError> {
         let variables: Vec<(&str, Dimension)> =
             self.0.iter().map(|symbol| (symbol.name.as_str(), symbol.dimension)).collect();
-        let (formula, _) = measured(text, &variables, Some(dimension))?;
+        Ok(measured(text, &variables, Some(dimension))?.0)
+    }
+
+    /// Returns true if all constants of a formula are plain numbers, so that it holds in all systems
+    /// of units.
+    pub fn holds_in_all_units(&self, formula: &Formula, dimension: Dimension) -> bool {
+        /// Units of mass, length and time for the trial, in SI units.
+        const UNITS: [f64; 3] = [1.7, 0.6, 2.3];
+        let value = |units: [f64; 3]| {
+            let values = self.0.iter().map(|symbol| symbol.value / symbol.dimension.size(units));
+            formula.evaluate(&values.collect::<Vec<_>>()) * dimension.size(units)
+        };
+        let (in_si, in_others) = (value([1.0; 3]), value(UNITS));
+        (in_others - in_si).abs() <= 1e-12 * in_si.abs()
+    }
+
+    /// Returns the value of a formula, SI units.
+    pub(crate) fn evaluate(&self, text: &str, dimension: Dimension) -> Result<f64, ExpressionError> {
+        let formula = self.formula(text, dimension)?;
         for (_, symbol) in self.0.iter().enumerate().filter(|(k, _)| formula.depends_on(*k)) {
             symbol.is_used.store(true, Ordering::Relaxed);
         }

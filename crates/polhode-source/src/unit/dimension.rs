@@ -102,6 +102,13 @@ impl Dimension {
         })
     }
 
+    /// Returns the size of the unit of this dimension, from the sizes of those of mass, length and
+    /// time.
+    pub fn size(self, [mass, length, time]: [f64; 3]) -> f64 {
+        let power = |base, exponent: i8| libm::pow(base, f64::from(exponent));
+        power(mass, self.mass) * power(length, self.length) * power(time, self.time)
+    }
+
     /// Returns true if a unit of dimension `found` is accepted where `self` is required.
     ///
     /// Angle exponents are optional where the physics permits it: one in ω (1/s), and, because L =

@@ -4,6 +4,7 @@ use polhode::body::Particle;
 use polhode_document::Section;
 use polhode_document::number::tidy;
 
+use super::symbols;
 use super::working::{Working, cells, n, v};
 
 /// Largest number of rows in a table.
@@ -33,6 +34,11 @@ pub(crate) fn section(w: &Working<'_>) -> Section {
         s.line(format!("M = {mass}"));
     }
     s.line(format!("c = {} m", v(w.body().center_of_mass().to_array())));
+    match w.symbolic {
+        Some(Ok(symbolic)) => symbols::body(symbolic, &mut s),
+        Some(Err(gap)) => symbols::gap(&mut s, gap),
+        None => {}
+    }
     s
 }
 

@@ -8,6 +8,7 @@ use polhode::observe::{Cones, FreeRegime, JacobiForm, SymmetricTop};
 use polhode_document::Section;
 use polhode_document::unit::{CLOSED, cone, rate};
 
+use super::symbols;
 use super::working::{Working, factor, n, v};
 use super::{driven, elliptic, tensor};
 use crate::report::free_facts::FreeFacts;
@@ -90,6 +91,9 @@ fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut S
         s.say(
             "Ω = 0: ω is perpendicular to the symmetry axis, so it is along a principal axis and constant.",
         );
+    }
+    if let Some(symbolic) = w.in_symbols() {
+        symbols::top(symbolic, e.to_array(), &Cones::of(top), s);
     }
     cones(w, motion, top, s);
 }

@@ -18,6 +18,7 @@ mod rows;
 mod shape;
 mod shape_formula;
 mod spin;
+mod symbols;
 mod tensor;
 mod top;
 mod working;
@@ -27,6 +28,7 @@ use std::borrow::Cow;
 use polhode::motion::{MotionError, Scenario, Trajectory};
 use polhode_document::Document;
 
+use crate::symbolic::{Gap, Symbolic};
 use inside::Inside;
 use working::Working;
 
@@ -71,6 +73,17 @@ pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
     Ok(solved(&Working::of(scenario)?))
 }
 
+/// Returns the worked solution of a scenario with exact formulas of its symbols before the numbers.
+///
+/// # Errors
+/// As [`explain`].
+pub fn explain_in_symbols(
+    scenario: &Scenario,
+    symbolic: Result<&Symbolic, &Gap>,
+) -> Result<Document, MotionError> {
+    Ok(solved(&Working { symbolic: Some(symbolic), ..Working::of(scenario)? }))
+}
+
 /// Returns the worked solution of a scenario whose motion is known: as [`explain`], without
 /// computing it again.
 ///
@@ -108,6 +121,9 @@ fn solved(w: &Working<'_>) -> Document {
 fn solution(w: &Working<'_>) -> polhode_document::Section {
     let mut section = polhode_document::Section::new(5, "Solve for ω(t)");
     if let Some(pendulum) = &w.pendulum {
+        if let Some(symbolic) = w.in_symbols() {
+            symbols::pendulum(symbolic, pendulum, &mut section);
+        }
         pendulum::solve(w, pendulum, &mut section);
     }
     if let Some(top) = top::of(w) {

@@ -7,6 +7,7 @@ use polhode_document::Section;
 use polhode_document::number::tidy;
 use polhode_document::unit::{angle, rate};
 
+use super::symbols;
 use super::working::{Working, acting, cells, exactly, n, v};
 use crate::report::torque::Description;
 
@@ -16,6 +17,9 @@ const MOST_PARTICLES: usize = 12;
 pub(crate) fn section(w: &Working<'_>) -> Section {
     let mut s = Section::new(2, "Note ω and N at t0");
     omega(w, &mut s);
+    if let Some(symbolic) = w.in_symbols() {
+        symbols::omega(symbolic, &mut s);
+    }
     torque(w, &mut s);
     kinematics(w, &mut s);
     s

@@ -8,6 +8,7 @@ use polhode_document::number::{tidy, tidy_beside, tidy_matrix};
 use polhode_document::unit::angle;
 
 use super::inside::Inside;
+use super::symbols;
 use super::working::{Working, cells, exactly, factor, n, v};
 
 /// Names of the body axes; the principal axes are 1, 2 and 3.
@@ -25,6 +26,13 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
         "Iij = Σ mα (δij Σk xα,k² − xα,i xα,j)      for a continuous body  ∫ ρ (δij Σk xk² − xi xj) dV",
         r"I_{ij} = \sum_\alpha m_\alpha \left(\delta_{ij} \sum_k x_{\alpha,k}^2 - x_{\alpha,i} x_{\alpha,j}\right) \quad\text{or}\quad \int \rho \left(\delta_{ij} \sum_k x_k^2 - x_i x_j\right) dV",
     );
+    if let Some(symbolic) = w.in_symbols() {
+        symbols::tensor(symbolic, w.point_name(), w.rotor.principal().moments(), &mut s);
+        if w.is_turning() {
+            symbols::momentum(symbolic, w.rotor.kinetic_energy(w.start.omega), &mut s);
+        }
+        s.say("In numbers:");
+    }
     let particles = w.scenario.particles();
     if w.scenario.is_all_particles() && (1..=MOST_TERMS).contains(&particles.len()) {
         terms(w, &particles, &mut s);

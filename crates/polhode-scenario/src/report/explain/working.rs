@@ -19,6 +19,7 @@ use polhode_document::number::{alike, number, tidy_beside};
 use super::rows::Rows;
 use crate::report::free_facts::FreeFacts;
 use crate::report::motion;
+use crate::symbolic::{Gap, Symbolic};
 
 /// Initial state, and the computed motion if there is one.
 pub(crate) struct Working<'a> {
@@ -38,6 +39,8 @@ pub(crate) struct Working<'a> {
     pub contact: Option<ContactState>,
     /// Computed motion; `None` without a run.
     pub trajectory: Option<Cow<'a, Trajectory>>,
+    /// Scenario in symbols, if it has any.
+    pub symbolic: Option<Result<&'a Symbolic, &'a Gap>>,
     /// Rows of the table in step 5; empty without a run, or on the ground.
     pub rows: Rows,
 }
@@ -119,8 +122,14 @@ impl<'a> Working<'a> {
             at_start,
             contact,
             trajectory,
+            symbolic: None,
             rows,
         })
+    }
+
+    /// Returns the scenario in symbols, if its body is a formula of them.
+    pub(crate) fn in_symbols(&self) -> Option<&'a Symbolic> {
+        self.symbolic.and_then(Result::ok)
     }
 
     pub(crate) fn title(&self) -> String {

@@ -7,10 +7,11 @@ mod output;
 mod robot;
 
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode_scenario::read::ScenarioFile;
+use polhode_scenario::report::tensor_in_symbols;
 use polhode_shape::report::InertiaReport;
 use polhode_shape::{Host, Kind, Request, run_in};
 use polhode_source::files::Disk;
@@ -49,6 +50,9 @@ pub(crate) struct Inertia {
     /// Replace an existing output file of --write-mesh.
     #[arg(long, requires = "write_mesh", conflicts_with = "shell")]
     force: bool,
+    /// Also print the tensor of a scenario in exact formulas of its [symbols], step by step.
+    #[arg(long, conflicts_with_all = ["json", "csv", "as_format"])]
+    symbols: bool,
     #[command(flatten)]
     robot: RobotFlags,
     #[command(flatten)]
@@ -72,6 +76,7 @@ impl Inertia {
         let bodies = run_in(&self.request, &Disk, &mut host);
         drop(host);
         let bodies = bodies?;
+        let steps = if self.symbols { in_symbols(&self.request.files)? } else { String::new() };
         let text = self.output.text(&bodies);
         if self.output.has_no_room() {
             tell(&bodies.noticed());
@@ -83,12 +88,35 @@ impl Inertia {
                 if let Some(mesh) = bodies.mesh.filter(|_| failures.is_empty()) {
                     partial::write(&mesh.path, self.force, |out| out.write_all(&mesh.bytes))?;
                 }
-                print(&text)?;
+                print(&(text + &steps))?;
             }
             Err(failure) => failures.push(failure.into()),
         }
         Failure::unless_empty(failures)
     }
+}
+
+/// Returns the steps to the tensors of scenarios, in exact formulas.
+fn in_symbols(files: &[PathBuf]) -> Result<String, Failure> {
+    let mut text = String::new();
+    for path in files {
+        let file = ScenarioFile::read(&Disk, path)?;
+        let symbolic = match (file.symbolic(&Disk), file.in_fractions(&Disk)) {
+            (Some(Err(gap)), _) => {
+                let hint = "name all lengths and masses under [symbols], or leave out --symbols";
+                return Err(Failure::usage(format!("{}: {gap}", path.display()), hint));
+            }
+            (Some(Ok(symbolic)), _) | (None, Some(symbolic)) => symbolic,
+            (None, None) => {
+                let hint = "name its lengths and masses: [symbols] with b = \"0.3 m\", then size = [\"b\", \"b\", \"2*b\"]";
+                return Err(Failure::usage(format!("{} has no [symbols]", path.display()), hint));
+            }
+        };
+        let document = tensor_in_symbols(&file.scenario, &symbolic)
+            .map_err(|error| Failure::motion(path.display().to_string(), error))?;
+        text += &format!("\n{}", document.to_text(100));
+    }
+    Ok(text)
 }
 
 /// Readers of scenarios and robot models, and progress on the terminal.

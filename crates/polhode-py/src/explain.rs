@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use polhode_scenario::report::explain;
+use polhode_scenario::request::explain::solution;
+use polhode_source::files::Disk;
 use pyo3::prelude::*;
 
 use crate::error::Raise;
@@ -29,7 +30,7 @@ pub(crate) struct Explained {
 pub(crate) fn explain_scenario(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult<Explained> {
     py.detach(|| {
         let file = scenario::read(path, text).map_err(Raise::raise)?;
-        let document = explain(&file.scenario)
+        let document = solution(&file, &Disk)
             .map_err(|error| file.placed(&error).map_or_else(|| error.raise(), Raise::raise))?;
         Ok(Explained {
             json: document.to_json().to_string(),

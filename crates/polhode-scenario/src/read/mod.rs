@@ -181,11 +181,21 @@ impl ScenarioFile {
     /// # Errors
     /// [`Gap`] if its body is not an exact formula of the symbols.
     pub fn symbolic(&self, files: &dyn Files) -> Option<Result<Symbolic, Gap>> {
+        self.exact(files, true)
+    }
+
+    /// Returns the scenario in exact fractions; `None` for a file with `[symbols]`, or with numbers
+    /// that are not short decimals.
+    pub fn in_fractions(&self, files: &dyn Files) -> Option<Symbolic> {
+        self.exact(files, false)?.ok()
+    }
+
+    fn exact(&self, files: &dyn Files, has_symbols: bool) -> Option<Result<Symbolic, Gap>> {
         let source = Source { headings: &TOP, ..Source::new(files, &self.path, &self.text) };
         let entries = document(source).ok()?;
         let symbols = symbols::symbols(&Table::root(source, &entries)).ok()?;
-        let has_symbols = !symbols.all().is_empty();
-        has_symbols.then(|| symbolic::symbolic(source, &entries, &symbols, &self.scenario))
+        (symbols.all().is_empty() != has_symbols)
+            .then(|| symbolic::symbolic(source, &entries, &symbols, &self.scenario))
     }
 
     /// Returns an error of the motion with its place in the file, if it concerns one of the

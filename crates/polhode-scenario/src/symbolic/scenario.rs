@@ -47,6 +47,11 @@ pub struct SymbolicPendulum {
 }
 
 impl Symbolic {
+    /// Returns true if the file has symbols; without them all values are fractions in SI units.
+    pub fn has_symbols(&self) -> bool {
+        !self.known.is_empty()
+    }
+
     /// Returns the value of a symbol.
     pub fn value(&self, symbol: Symbol) -> Option<f64> {
         if symbol == self.pi {

@@ -8,6 +8,7 @@ mod contact_examples;
 mod examples;
 mod explain;
 mod explain_rows;
+mod explain_symbols;
 mod export;
 mod files;
 #[path = "../../../polhode-robot/tests/all/common/schema.rs"]

@@ -58,6 +58,8 @@ impl<'a> Letters<'a> {
             _ if number == Some(0.0) => Some(RationalFunction::zero()),
             Dimension::NONE => decimal(written),
             Dimension::ANGLE => self.angle(written),
+            // Without symbols all numbers are in SI units.
+            _ if self.known.is_empty() => number.and_then(|number| decimal(&number.to_string())),
             _ => None,
         };
         exact.ok_or_else(|| Gap::Number { what: what(), written: written.to_owned() })

@@ -35,9 +35,9 @@ pub(crate) fn section(w: &Working<'_>) -> Section {
     }
     s.line(format!("c = {} m", v(w.body().center_of_mass().to_array())));
     match w.symbolic {
-        Some(Ok(symbolic)) => symbols::body(symbolic, &mut s),
+        Some(Ok(symbolic)) if symbolic.has_symbols() => symbols::body(symbolic, &mut s),
         Some(Err(gap)) => symbols::gap(&mut s, gap),
-        None => {}
+        _ => {}
     }
     s
 }

@@ -26,7 +26,7 @@ mod working;
 use std::borrow::Cow;
 
 use polhode::motion::{MotionError, Scenario, Trajectory};
-use polhode_document::Document;
+use polhode_document::{Document, Section};
 
 use crate::symbolic::{Gap, Symbolic};
 use inside::Inside;
@@ -84,6 +84,29 @@ pub fn explain_in_symbols(
     Ok(solved(&Working { symbolic: Some(symbolic), ..Working::of(scenario)? }))
 }
 
+/// Returns the steps from the masses to the principal moments in exact formulas, without numbers.
+///
+/// # Errors
+/// [`MotionError`] if the scenario has no worked solution.
+pub fn tensor_in_symbols(scenario: &Scenario, symbolic: &Symbolic) -> Result<Document, MotionError> {
+    let w = Working::with(scenario, None)?;
+    let mut section = Section::new(0, "In symbols");
+    let moments = w.rotor.principal().moments();
+    if symbolic.has_symbols() {
+        symbols::body(symbolic, &mut section);
+        symbols::tensor(symbolic, w.point_name(), moments, &mut section);
+    } else {
+        symbols::fractions(symbolic, moments, &mut section);
+    }
+    Ok(Document {
+        findings: Vec::new(),
+        title: w.title(),
+        verdict: None,
+        answer: Vec::new(),
+        sections: vec![section],
+    })
+}
+
 /// Returns the worked solution of a scenario whose motion is known: as [`explain`], without
 /// computing it again.
 ///
@@ -118,8 +141,8 @@ fn solved(w: &Working<'_>) -> Document {
 }
 
 /// Writes step 5, selected by the kind of motion.
-fn solution(w: &Working<'_>) -> polhode_document::Section {
-    let mut section = polhode_document::Section::new(5, "Solve for ω(t)");
+fn solution(w: &Working<'_>) -> Section {
+    let mut section = Section::new(5, "Solve for ω(t)");
     if let Some(pendulum) = &w.pendulum {
         if let Some(symbolic) = w.in_symbols() {
             symbols::pendulum(symbolic, pendulum, &mut section);

@@ -45,6 +45,9 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
     ));
     let tensor = w.rotor.inertia().matrix();
     s.matrix("{I}", tensor, "kg·m²");
+    if let Some(exact) = w.in_fractions() {
+        symbols::fractions(exact, w.rotor.principal().moments(), &mut s);
+    }
     if w.rotor.principal().symmetry() == Symmetry::Point {
         s.say("All the mass is at the reference point, so the inertia is zero and every axis is a principal axis.");
         return s;

@@ -129,7 +129,12 @@ impl<'a> Working<'a> {
 
     /// Returns the scenario in symbols, if its body is a formula of them.
     pub(crate) fn in_symbols(&self) -> Option<&'a Symbolic> {
-        self.symbolic.and_then(Result::ok)
+        self.symbolic.and_then(Result::ok).filter(|symbolic| symbolic.has_symbols())
+    }
+
+    /// Returns the scenario in exact fractions, if its numbers allow it.
+    pub(crate) fn in_fractions(&self) -> Option<&'a Symbolic> {
+        self.symbolic.and_then(Result::ok).filter(|symbolic| !symbolic.has_symbols())
     }
 
     pub(crate) fn title(&self) -> String {

@@ -3,6 +3,7 @@
 //! Every printed formula has been compared with the computed number at the values of the symbols.
 
 mod body;
+mod fractions;
 mod momentum;
 mod pendulum;
 mod principal;
@@ -16,6 +17,7 @@ use polhode_document::Section;
 use crate::symbolic::{Gap, Symbolic};
 
 pub(crate) use body::body;
+pub(crate) use fractions::fractions;
 pub(crate) use momentum::{momentum, omega};
 pub(crate) use pendulum::pendulum;
 pub(crate) use tensor::tensor;
@@ -52,6 +54,12 @@ fn tensor_letter() -> Formula {
 fn along_axes(of: &Symbolic, vector: &Vector) -> Formula {
     let unit = |name: &str| Formula::vector(name).accented(polhode_algebra::Accent::Hat);
     vector.in_basis(&["x", "y", "z"].map(unit), &of.symbols)
+}
+
+/// Returns the formula of a moment of inertia, with its unit if it is a number.
+fn inertia(of: &Symbolic, value: &RationalFunction) -> Formula {
+    let formula = formula(of, value);
+    if of.has_symbols() { formula } else { formula.times(Formula::text(" kg·m²")) }
 }
 
 /// Returns the formula of a value.

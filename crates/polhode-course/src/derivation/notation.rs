@@ -3,7 +3,7 @@
 //! ```text
 //! rows      = list { newline list }          a row that starts with = continues the row before
 //! list      = relation { "," relation }
-//! relation  = sum { sign sum }               = ≠ ≡ ≃ ≤
+//! relation  = sum { sign sum }               = ≡ ≃ ≤
 //! sum       = ["−"] operation { ("+" | "−") operation }
 //! operation = product [ "×" product | "·" product { "·" product } ]
 //! product   = factor { factor }
@@ -12,18 +12,13 @@
 //! ```
 //!
 //! An operand is a number, a symbol, `~r_α` (bold), `x̂_i` (a unit vector, bold), `sin θ`, `Σ_ij a`, `∫_0^b a`,
-//! `d/dt a`, `∂a`, `dx`, `√a`, "words", `(a)`, `[a]`, or cells in brackets: `(a, b; c, d)`. `{I}` is the
+//! `d/dt a`, `∂a`, `dx`, `(a)`, `[a]`, or cells in brackets: `(a, b; c, d)`. `{I}` is the
 //! matrix with the elements `I_ij`.
 
 use polhode_algebra::{Accent, Fence, Formula, Large, Operator, Relation, Style};
 
-const RELATIONS: [(char, Relation); 5] = [
-    ('=', Relation::Equal),
-    ('≠', Relation::Unequal),
-    ('≡', Relation::Defined),
-    ('≃', Relation::Approximate),
-    ('≤', Relation::AtMost),
-];
+const RELATIONS: [(char, Relation); 4] =
+    [('=', Relation::Equal), ('≡', Relation::Defined), ('≃', Relation::Approximate), ('≤', Relation::AtMost)];
 const FUNCTIONS: [&str; 4] = ["sin", "cos", "tan", "det"];
 const EXPONENTS: [(char, i64); 4] = [('²', 2), ('³', 3), ('⁴', 4), ('⁵', 5)];
 const ACCENTS: [(char, Accent); 3] =
@@ -32,11 +27,11 @@ const ACCENTS: [(char, Accent); 3] =
 const COMPOSED: [(&str, &str); 3] = [("ŷ", "y\u{302}"), ("ẑ", "z\u{302}"), ("ê", "e\u{302}")];
 
 /// Returns the tree of a formula; `None` if the text is not one.
-pub(super) fn read(text: &str) -> Option<Formula> {
+pub fn read(text: &str) -> Option<Formula> {
     let text = COMPOSED.iter().fold(text.to_owned(), |text, (one, two)| text.replace(one, two));
     let mut rows = Vec::new();
     for row in text.split('\n') {
-        let mut reader = Reader { rest: row };
+        let mut reader = Reader { rest: row.trim_start() };
         rows.push(reader.list()?);
         if !reader.rest.is_empty() {
             return None;
@@ -95,7 +90,7 @@ impl Reader<'_> {
 
     fn product(&mut self) -> Option<Formula> {
         let mut factors = vec![self.factor()?];
-        while self.peek().is_some_and(|c| c.is_alphanumeric() || "~([{√Σ∫∂\"".contains(c)) {
+        while self.peek().is_some_and(|c| c.is_alphanumeric() || "~([{Σ∫∂".contains(c)) {
             factors.push(self.factor()?);
         }
         Some(Formula::product(factors))
@@ -139,16 +134,8 @@ impl Reader<'_> {
         if self.takes('~') {
             return Some(self.symbol()?.bold());
         }
-        if self.takes('√') {
-            return Some(self.operand()?.root());
-        }
         if self.takes('∂') {
             return Some(Formula::Differential { is_partial: true, of: Box::new(self.operand()?) });
-        }
-        if self.takes('"') {
-            let (words, rest) = self.rest.split_once('"')?;
-            self.rest = rest.trim_start();
-            return Some(Formula::text(words));
         }
         for (operator, sign) in [(Large::Sum, 'Σ'), (Large::Integral, '∫')] {
             if self.takes(sign) {

@@ -1,37 +1,39 @@
 //! Steps of a derivation.
 
-/// Step of a derivation. Formulas are in the notation of the module `notation`.
+use polhode_algebra::Formula;
+
+use super::notation;
+
+/// Step of a derivation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
     /// Start of a part, with its title.
     Part(&'static str),
-    /// Sentences without a formula.
+    /// Paragraph without a formula.
     Remark(&'static str),
-    /// Sentences and the formula that they lead to.
+    /// Paragraph and the formula that it leads to.
     Formula {
-        /// Sentences before the formula.
+        /// Text before the formula, in lines.
         text: &'static str,
-        /// Formula in the notation.
+        /// Formula in the [notation].
         notation: &'static str,
         /// Reason why it holds.
         ground: Ground,
+        /// True if the formula is an answer of the derivation.
+        is_result: bool,
     },
-    /// Definition for the checks of the later steps, which is not printed: the position of the last
-    /// particle from those of the others and the centre of mass.
+    /// Definition for the checks of later steps, which is not printed, in the [notation].
     Setting(&'static str),
 }
 
 /// Reason why a formula holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ground {
-    /// Identity under the definitions of the earlier steps, checked with generic components.
-    Identity,
-    /// As [`Ground::Identity`]; the formula is the result of the derivation.
-    Result,
-    /// Definition of its left side.
+    /// Identity under the definitions of earlier steps.
+    Shown,
+    /// Definition of the symbol on its left.
     Definition,
-    /// Assumption about the body, its motion or the axes, or an equation that states the assumption
-    /// in another form.
+    /// Assumption about the body, its motion or the axes.
     Hypothesis,
     /// Law of mechanics.
     Law,
@@ -41,41 +43,57 @@ pub enum Ground {
     Limit,
 }
 
+impl Step {
+    /// Returns the formula that is printed, if there is one.
+    pub fn formula(&self) -> Option<Formula> {
+        match self {
+            Self::Formula { notation, .. } => notation::read(notation),
+            _ => None,
+        }
+    }
+
+    /// Returns the formula that gives the symbol on its left the value on its right in later steps.
+    pub fn definition(&self) -> Option<Formula> {
+        match self {
+            Self::Formula {
+                ground: Ground::Definition | Ground::Hypothesis | Ground::Law, notation, ..
+            }
+            | Self::Setting(notation) => notation::read(notation),
+            _ => None,
+        }
+    }
+
+    /// Reads a paragraph: its text, and a formula after the reason why it holds.
+    pub(super) fn read(paragraph: &'static str) -> Self {
+        if let Some(title) = paragraph.strip_prefix("## ") {
+            return Self::Part(title);
+        }
+        let starts = paragraph.match_indices('\n').map(|(at, _)| at + 1);
+        for start in core::iter::once(0).chain(starts) {
+            let (text, line) = paragraph.split_at(start);
+            let Some((reason, notation)) = line.split_once(": ") else { continue };
+            if reason == "setting" {
+                return Self::Setting(notation);
+            }
+            let (reason, is_result) = reason.strip_suffix(", result").map_or((reason, false), |r| (r, true));
+            if let Some(ground) = Ground::read(reason) {
+                return Self::Formula { text: text.trim_end(), notation, ground, is_result };
+            }
+        }
+        Self::Remark(paragraph)
+    }
+}
+
 impl Ground {
-    /// Returns true for identities, which are checked.
-    pub const fn is_identity(self) -> bool {
-        matches!(self, Self::Identity | Self::Result)
+    fn read(word: &str) -> Option<Self> {
+        Some(match word {
+            "shown" => Self::Shown,
+            "definition" => Self::Definition,
+            "hypothesis" => Self::Hypothesis,
+            "law" => Self::Law,
+            "theorem" => Self::Theorem,
+            "limit" => Self::Limit,
+            _ => return None,
+        })
     }
-
-    /// Returns true if the symbol on the left has the value on the right from there on.
-    pub(super) const fn defines(self) -> bool {
-        matches!(self, Self::Definition | Self::Hypothesis | Self::Law)
-    }
-}
-
-pub(super) const fn part(title: &'static str) -> Step {
-    Step::Part(title)
-}
-
-pub(super) const fn remark(text: &'static str) -> Step {
-    Step::Remark(text)
-}
-
-pub(super) const fn setting(notation: &'static str) -> Step {
-    Step::Setting(notation)
-}
-
-/// Returns a formula that is checked.
-pub(super) const fn shown(text: &'static str, notation: &'static str) -> Step {
-    Step::Formula { text, notation, ground: Ground::Identity }
-}
-
-/// Returns the result, which is checked.
-pub(super) const fn result(text: &'static str, notation: &'static str) -> Step {
-    Step::Formula { text, notation, ground: Ground::Result }
-}
-
-/// Returns a formula that holds for another reason than algebra.
-pub(super) const fn given(ground: Ground, text: &'static str, notation: &'static str) -> Step {
-    Step::Formula { text, notation, ground }
 }

@@ -4,7 +4,7 @@ use polhode_algebra::{Matrix, RationalFunction, Vector};
 
 /// Exact value of a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Value {
+pub(super) enum Value {
     /// Number.
     Scalar(RationalFunction),
     /// Vector, along fixed axes.
@@ -19,7 +19,7 @@ impl Value {
     }
 
     /// Returns true for a value of any kind whose components are zero.
-    pub fn is_zero(&self) -> bool {
+    pub(super) fn is_zero(&self) -> bool {
         match self {
             Self::Scalar(value) => value.is_zero(),
             Self::Vector(value) => value.is_zero(),

@@ -7,9 +7,11 @@ pub mod notation;
 mod step;
 
 use std::fmt;
+use std::slice;
 use std::str::FromStr;
 use std::sync::LazyLock;
 
+use polhode_algebra::Formula;
 use polhode_document::{Document, Section};
 use polhode_source::nearest;
 
@@ -74,9 +76,10 @@ impl Derivation {
                 section.say(text.replace('\n', " "));
             }
             let Some(formula) = step.formula() else { continue };
-            section.formula(&formula.to_text(), &formula.to_latex());
+            let [text, latex] = written(&formula);
+            section.formula(&text, &latex);
             if matches!(step, Step::Formula { is_result: true, .. }) {
-                answer.extend(formula.to_text().lines().map(|line| line.trim().to_owned()));
+                answer.extend(text.lines().map(|line| line.trim().to_owned()));
             }
         }
         document(self.title, answer, sections)
@@ -94,6 +97,16 @@ fn read(text: &'static str) -> Vec<Derivation> {
         }
     }
     all
+}
+
+/// Returns a formula as text and as LaTeX, with wide space between the equations of a list.
+fn written(formula: &Formula) -> [String; 2] {
+    let equations =
+        if let Formula::List(equations) = formula { &equations[..] } else { slice::from_ref(formula) };
+    let joined = |write: fn(&Formula) -> String, separator| {
+        equations.iter().map(write).collect::<Vec<_>>().join(separator)
+    };
+    [joined(Formula::to_text, ",   "), joined(Formula::to_latex, r", \qquad ")]
 }
 
 fn document(title: &str, answer: Vec<String>, sections: Vec<Section>) -> Document {

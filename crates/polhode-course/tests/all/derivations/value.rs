@@ -4,6 +4,7 @@ use polhode_algebra::{Matrix, RationalFunction, Vector};
 
 /// Exact value of a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[expect(clippy::large_enum_variant, reason = "few values exist at a time")]
 pub(super) enum Value {
     /// Number.
     Scalar(RationalFunction),

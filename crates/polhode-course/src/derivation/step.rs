@@ -33,7 +33,7 @@ pub enum Ground {
     Shown,
     /// Definition of the symbol on its left.
     Definition,
-    /// Assumption about the body, its motion or the axes.
+    /// Assumption about the body, its motion or the axes, or an equation that follows from one.
     Hypothesis,
     /// Law of mechanics.
     Law,

@@ -208,7 +208,7 @@ impl Scope {
         })
     }
 
-    /// Returns cosine and sine. An argument that is no sum of symbols gets a symbol of its own.
+    /// Returns cosine and sine. An argument other than a sum of symbols gets its own symbol.
     pub(super) fn cosine_and_sine(
         &mut self,
         argument: &RationalFunction,

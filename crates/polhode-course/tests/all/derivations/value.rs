@@ -6,7 +6,7 @@ use polhode_algebra::{Matrix, RationalFunction, Vector};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[expect(clippy::large_enum_variant, reason = "few values exist at a time")]
 pub(super) enum Value {
-    /// Number.
+    /// Scalar value.
     Scalar(RationalFunction),
     /// Vector, along fixed axes.
     Vector(Vector),

@@ -1,6 +1,8 @@
 //! `polhode explain`
 
 use clap::Args;
+use polhode_course::derivation::{self, Derivation};
+use polhode_document::Document;
 use polhode_document::json::pretty;
 use polhode_scenario::request::explain::{Request, run};
 use polhode_source::files::Disk;
@@ -20,10 +22,15 @@ Examples:
   polhode explain examples/notes/11-10-dumbbell.toml
   polhode explain examples/t-handle.toml --markdown > t-handle.md
   polhode explain examples/heavy-top.toml --html > heavy-top.html
-  polhode explain examples/drag.toml --latex > drag.tex && pdflatex drag.tex")]
+  polhode explain examples/drag.toml --latex > drag.tex && pdflatex drag.tex
+  polhode explain --derive
+  polhode explain --derive euler-equations")]
 pub(crate) struct Explain {
     #[command(flatten)]
-    request: Request,
+    request: Option<Request>,
+    /// Print a derivation of the lecture notes, such as euler-equations; without a name, list them.
+    #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = "", conflicts_with = "file")]
+    derive: Option<String>,
     /// Print Markdown with typeset formulas, for GitHub, Jupyter and pandoc.
     #[arg(long, group = "form")]
     markdown: bool,
@@ -43,7 +50,11 @@ pub(crate) struct Explain {
 
 impl Explain {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let document = run(&self.request, &Disk)?.0;
+        let document = match (&self.derive, &self.request) {
+            (Some(name), _) => derived(name)?,
+            (None, Some(request)) => run(request, &Disk)?.0,
+            (None, None) => return Err(Failure::usage("no scenario", "polhode explain SCENARIO.toml")),
+        };
         let text = if self.json {
             pretty(&document.to_json()) + "\n"
         } else if self.markdown {
@@ -57,4 +68,15 @@ impl Explain {
         };
         print(&text)
     }
+}
+
+/// Returns a derivation, or the list of them for an empty name.
+fn derived(name: &str) -> Result<Document, Failure> {
+    if name.is_empty() {
+        return Ok(derivation::list());
+    }
+    let found: &Derivation = name.parse::<&'static Derivation>().map_err(|error| {
+        Failure::usage(error.to_string(), "polhode explain --derive lists the derivations")
+    })?;
+    Ok(found.document())
 }

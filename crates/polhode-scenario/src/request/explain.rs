@@ -39,6 +39,7 @@ pub static REPORT_SCHEMA: LazyLock<String> =
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
     /// The scenario, a TOML file.
+    #[cfg_attr(feature = "arguments", arg(required = false, required_unless_present = "derive"))]
     pub file: PathBuf,
 }
 

@@ -24,9 +24,8 @@ pub(crate) fn fractions(of: &Symbolic, moments: [f64; 3], s: &mut Section) {
     if !is_short || denominators.iter().all(is_decimal) || roots.rest != RemainingRoots::None {
         return;
     }
-    s.say("Exactly, since all lengths and masses are decimals:");
-    let matrix = tensor.factored_formula(Fence::Braces, &of.symbols);
-    write(s, &tensor_letter().equals(matrix.times(polhode_algebra::Formula::text(" kg·m²"))));
+    s.say("Exactly, in kg·m², since all lengths and masses are short decimals:");
+    write(s, &tensor_letter().equals(tensor.to_formula(Fence::Braces, &of.symbols)));
     principal(of, &tensor, moments, s);
 }
 

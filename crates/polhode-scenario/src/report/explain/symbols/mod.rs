@@ -56,12 +56,6 @@ fn along_axes(of: &Symbolic, vector: &Vector) -> Formula {
     vector.in_basis(&["x", "y", "z"].map(unit), &of.symbols)
 }
 
-/// Returns the formula of a moment of inertia, with its unit if it is a number.
-fn inertia(of: &Symbolic, value: &RationalFunction) -> Formula {
-    let formula = formula(of, value);
-    if of.has_symbols() { formula } else { formula.times(Formula::text(" kg·m²")) }
-}
-
 /// Returns the formula of a value.
 fn formula(of: &Symbolic, value: &RationalFunction) -> Formula {
     value.to_formula(&of.symbols)

@@ -3,7 +3,7 @@
 use polhode_algebra::{Formula, Matrix, RationalFunction, Relation, RemainingRoots, Roots, Vector};
 use polhode_document::Section;
 
-use super::{ROUNDING, along_axes, gap, inertia, write};
+use super::{ROUNDING, along_axes, formula, gap, write};
 use crate::symbolic::{Gap, Symbolic};
 
 /// Longest characteristic equation that is written, characters.
@@ -28,7 +28,7 @@ pub(super) fn principal(of: &Symbolic, tensor: &Matrix, moments: [f64; 3], s: &m
         let names = (first..first + multiplicity).map(|k| Formula::named(&format!("I_{k}")));
         first += multiplicity;
         let names = names.reduce(Formula::equals).unwrap_or_else(|| Formula::named("I"));
-        write(s, &names.equals(inertia(of, &value)));
+        write(s, &names.equals(formula(of, &value)));
         axes(of, &tensor.eigenvectors(&value), s);
     }
     match &roots.rest {

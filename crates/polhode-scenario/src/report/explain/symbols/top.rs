@@ -1,7 +1,7 @@
 //! Free motion of a symmetric top in symbols.
 
 use polhode::observe::Cones;
-use polhode_algebra::{Accent, Formula, RationalFunction, RemainingRoots, Vector};
+use polhode_algebra::{Accent, Formula, RationalFunction, RemainingRoots};
 use polhode_document::Section;
 
 use super::{along_axes, checked, formula, write};
@@ -33,33 +33,44 @@ pub(crate) fn top(of: &Symbolic, axis: [f64; 3], cones: &Cones, s: &mut Section)
     );
     let line = Formula::named("Omega").equals(formula(of, &rate));
     checked(s, "Ω", of.evaluate(&rate), cones.body_rate, &line);
-    angles(of, &e, omega, [axial, across], cones, s);
+    let positive = |value: RationalFunction| match of.evaluate(&value) {
+        Some(number) if number < 0.0 => -value,
+        _ => value,
+    };
+    let rest = omega - &e.scaled(&spin);
+    let spin = positive(spin);
+    let amplitude = match rest.0.iter().filter(|component| !component.is_zero()).collect::<Vec<_>>()[..] {
+        [only] => positive(only.clone()).to_formula(&of.symbols),
+        _ => rest.dot(&rest).square_root(&of.symbols).to_formula(&of.symbols),
+    };
+    write(s, &Formula::named("A").equals(amplitude));
+    let size = of.evaluate(&rest.dot(&rest)).map(f64::sqrt);
+    cones_of(of, size, &spin, [axial, across], cones, s);
 }
 
-/// Writes tan ∠(ω, e) = A/|ω_e| and φ̇ = |L|/I_t.
-fn angles(
+/// Writes tan ∠(ω, e) = A/|ω_e| and φ̇ = |L|/I_t, with |L|² = I_t² A² + I_e² ω_e².
+fn cones_of(
     of: &Symbolic,
-    e: &Vector,
-    omega: &Vector,
+    amplitude: Option<f64>,
+    spin: &RationalFunction,
     [axial, across]: [&RationalFunction; 2],
     cones: &Cones,
     s: &mut Section,
 ) {
-    let spin = e.dot(omega);
-    let rest = omega - &e.scaled(&spin);
-    let amplitude = rest.dot(&rest);
-    // L² = I_t² A² + I_e² ω_e²
-    let momentum = across * across * &amplitude + axial * axial * &spin * &spin;
-    let Some(square) = momentum.over(&(across * across)) else { return };
-    let root = square.square_root(&of.symbols);
-    let line = Formula::named("phi").accented(Accent::Dot).equals(root.to_formula(&of.symbols));
-    let value = root.evaluate(&|symbol| of.value(symbol));
-    checked(s, "φ\u{307}", value, cones.space_rate, &line);
-    let Some(square) = amplitude.over(&(&spin * &spin)) else { return };
-    let root = square.square_root(&of.symbols);
-    let value = root.evaluate(&|symbol| of.value(symbol)).map(f64::atan);
+    if spin.is_zero() {
+        return;
+    }
     let angle = Formula::List(vec![Formula::vector("omega"), Formula::vector("e")])
         .grouped(polhode_algebra::Fence::Parentheses);
-    let line = angle.applied("tan").equals(root.to_formula(&of.symbols));
+    let line = angle.applied("tan").equals(Formula::named("A").over(formula(of, spin)));
+    let value = amplitude.zip(of.evaluate(spin)).map(|(a, spin)| a.atan2(spin));
     checked(s, "the half-angle of the body cone", value, cones.body_half_angle, &line);
+    let Some(along) = (axial * spin).over(across) else { return };
+    let squares = Formula::sum(vec![
+        Formula::named("A").squared(),
+        formula(of, &along).grouped(polhode_algebra::Fence::Parentheses).squared(),
+    ]);
+    let line = Formula::named("phi").accented(Accent::Dot).equals(squares.root());
+    let value = amplitude.zip(of.evaluate(&along)).map(|(a, b)| a.hypot(b));
+    checked(s, "φ\u{307}", value, cones.space_rate, &line);
 }

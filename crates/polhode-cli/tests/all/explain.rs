@@ -133,3 +133,58 @@ fn parts_without_a_formula_say_where_their_tensor_is_from() {
         assert!(text.contains(said), "{said} is missing in\n{text}");
     }
 }
+
+/// Every derivation that worked solutions name is printed, and only those.
+#[test]
+fn derivations_are_listed_and_printed() {
+    let scratch = Scratch::new("derivations");
+    let list = json(&scratch.run(&["explain", "--derive", "--json"]));
+    let rows = list["sections"][0]["blocks"][0]["rows"].as_array().unwrap();
+    let names: Vec<&str> = rows.iter().map(|row| row[0].as_str().unwrap()).collect();
+    assert!(names.len() >= 15, "{names:?}");
+    for name in &names {
+        let text = stdout(&scratch.run(&["explain", "--derive", name]));
+        assert!(text.lines().count() > 20 && text.contains(" = "), "{name}: {text}");
+    }
+    let mut count = 0;
+    for file in [
+        "notes/11-04-pendulum.toml",
+        "notes/11-10-dumbbell.toml",
+        "notes/force-free-top.toml",
+        "t-handle.toml",
+    ] {
+        let text = stdout(&scratch.run(&["explain", &example(file), "--width", "400"]));
+        let named = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("Derivations (polhode explain --derive NAME): "));
+        for name in named.flat_map(|line| line.trim_end_matches('.').split(", ")) {
+            assert!(names.contains(&name), "{file}: {name}");
+            count += 1;
+        }
+    }
+    assert!(count >= 20, "{count}");
+    let error = refused(&scratch.run(&["explain", "--derive", "euler-equation"]), 2);
+    assert!(error.contains("did you mean `euler-equations`?"), "{error}");
+    refused(&scratch.run(&["explain"]), 2);
+    refused(&scratch.run(&["explain", &example("t-handle.toml"), "--derive", "cones"]), 2);
+}
+
+/// `inertia --symbols` prints exact formulas after the numbers, or refuses.
+#[test]
+fn inertia_has_exact_formulas() {
+    let scratch = Scratch::new("inertia-symbols");
+    let text = stdout(&scratch.run(&["inertia", &example("notes/11-03-cube.toml"), "--symbols"]));
+    assert!(text.contains("I_xx = I_yy = I_zz = 2/3 M b²"), "{text}");
+    scratch.write("cube.toml", "[body]\npivot = [0, 0, 0]\n[[body.part]]\nshape = 'box'\nsize = [1, 1, 1]\nmass = 1\nposition = [0.5, 0.5, 0.5]\n");
+    let text = stdout(&scratch.run(&["inertia", "cube.toml", "--symbols"]));
+    assert!(text.contains("I₂ = I₃ = 11/12") && text.contains("Exactly, in kg·m²"), "{text}");
+    scratch.write(
+        "steel.toml",
+        "[symbols]\nr = '2 cm'\n[[body.part]]\nshape = 'sphere'\nradius = 'r'\nmaterial = 'steel'\n",
+    );
+    let error = refused(&scratch.run(&["inertia", "steel.toml", "--symbols"]), 2);
+    assert!(error.contains("is that of a material"), "{error}");
+    let error = refused(&scratch.run(&["inertia", &example("t-handle.toml"), "--symbols"]), 2);
+    assert!(error.contains("t-handle.toml has no [symbols]"), "{error}");
+    refused(&scratch.run(&["inertia", "cube.toml", "--symbols", "--json"]), 2);
+}

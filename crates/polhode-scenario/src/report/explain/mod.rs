@@ -123,20 +123,42 @@ fn solved(w: &Working<'_>) -> Document {
     let inside = Inside::of(w);
     let equations = inside.as_ref().map_or_else(|| euler::section(w), Inside::equations);
     let solution = inside.as_ref().map_or_else(|| solution(w), Inside::solution);
+    let mut sections = vec![
+        body::section(w),
+        axes::section(w),
+        spin::section(w),
+        tensor::section(w, inside.as_ref()),
+        equations,
+        solution,
+        attitude::section(w, inside.as_ref()),
+    ];
+    for section in &mut sections {
+        let names = derivations(section.number, w);
+        if !names.is_empty() {
+            section.say(format!("Derivations (polhode explain --derive NAME): {}.", names.join(", ")));
+        }
+    }
     Document {
         findings: w.findings(),
         title: w.title(),
         verdict: None,
         answer: answer::lines(w, inside.as_ref()),
-        sections: vec![
-            body::section(w),
-            axes::section(w),
-            spin::section(w),
-            tensor::section(w, inside.as_ref()),
-            equations,
-            solution,
-            attitude::section(w, inside.as_ref()),
-        ],
+        sections,
+    }
+}
+
+/// Returns the names of the derivations that lead to the equations of a step.
+fn derivations(step: u8, w: &Working<'_>) -> &'static [&'static str] {
+    let is_symmetric = w.at_start.as_ref().is_some_and(|free| free.top.is_some());
+    match step {
+        2 => &["kinetic-energy"],
+        3 => &["inertia-tensor", "parallel-axes", "principal-axes", "angular-momentum"],
+        4 if w.needed.is_some() => &["torque", "euler-equations", "dumbbell"],
+        4 => &["torque", "euler-equations"],
+        5 if w.pendulum.is_some() => &["pendulum-frequency"],
+        5 if w.is_free() && is_symmetric => &["symmetric-top", "coplanar", "cones"],
+        5 if w.is_free() => &["energy-and-momentum"],
+        _ => &[],
     }
 }
 

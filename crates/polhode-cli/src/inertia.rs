@@ -101,19 +101,21 @@ fn in_symbols(files: &[PathBuf]) -> Result<String, Failure> {
     let mut text = String::new();
     for path in files {
         let file = ScenarioFile::read(&Disk, path)?;
-        let symbolic = match (file.symbolic(&Disk), file.in_fractions(&Disk)) {
-            (Some(Err(gap)), _) => {
+        let symbolic = match file.symbolic(&Disk) {
+            Some(Err(gap)) => {
                 let hint = "name all lengths and masses under [symbols], or leave out --symbols";
                 return Err(Failure::usage(format!("{}: {gap}", path.display()), hint));
             }
-            (Some(Ok(symbolic)), _) | (None, Some(symbolic)) => symbolic,
-            (None, None) => {
-                let hint = "name its lengths and masses: [symbols] with b = \"0.3 m\", then size = [\"b\", \"b\", \"2*b\"]";
-                return Err(Failure::usage(format!("{} has no [symbols]", path.display()), hint));
-            }
+            found => found.and_then(Result::ok).or_else(|| file.in_fractions(&Disk)),
         };
-        let document = tensor_in_symbols(&file.scenario, &symbolic)
-            .map_err(|error| Failure::motion(path.display().to_string(), error))?;
+        let document = symbolic.map(|symbolic| tensor_in_symbols(&file.scenario, &symbolic)).transpose();
+        let document = document.map_err(|error| Failure::motion(path.display().to_string(), error))?;
+        let Some(document) =
+            document.filter(|document| document.sections.iter().any(|s| !s.blocks.is_empty()))
+        else {
+            let hint = "name its lengths and masses: [symbols] with b = \"0.3 m\", then size = [\"b\", \"b\", \"2*b\"]";
+            return Err(Failure::usage(format!("{} has no [symbols]", path.display()), hint));
+        };
         text += &format!("\n{}", document.to_text(100));
     }
     Ok(text)

@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use polhode_scenario::read::ScenarioFile;
-use polhode_scenario::report::tensor_in_symbols;
+use polhode_scenario::report::exact_tensor;
+use polhode_scenario::symbolic::Exact;
 use polhode_shape::report::InertiaReport;
 use polhode_shape::{Host, Kind, Request, run_in};
 use polhode_source::files::Disk;
@@ -101,21 +102,17 @@ fn in_symbols(files: &[PathBuf]) -> Result<String, Failure> {
     let mut text = String::new();
     for path in files {
         let file = ScenarioFile::read(&Disk, path)?;
-        let symbolic = match file.symbolic(&Disk) {
-            Some(Err(gap)) => {
-                let hint = "name all lengths and masses under [symbols], or leave out --symbols";
-                return Err(Failure::usage(format!("{}: {gap}", path.display()), hint));
-            }
-            found => found.and_then(Result::ok).or_else(|| file.in_fractions(&Disk)),
-        };
-        let document = symbolic.map(|symbolic| tensor_in_symbols(&file.scenario, &symbolic)).transpose();
+        let exact = file.exact();
+        if let Exact::Gap(gap) = &exact {
+            let hint = "name all lengths and masses under [symbols], or leave out --symbols";
+            return Err(Failure::usage(format!("{}: {gap}", path.display()), hint));
+        }
+        let document = exact_tensor(&file.scenario, &exact);
         let document = document.map_err(|error| Failure::motion(path.display().to_string(), error))?;
-        let Some(document) =
-            document.filter(|document| document.sections.iter().any(|s| !s.blocks.is_empty()))
-        else {
+        let document = document.ok_or_else(|| {
             let hint = "name its lengths and masses: [symbols] with b = \"0.3 m\", then size = [\"b\", \"b\", \"2*b\"]";
-            return Err(Failure::usage(format!("{} has no [symbols]", path.display()), hint));
-        };
+            Failure::usage(format!("{} has no [symbols]", path.display()), hint)
+        })?;
         text += &format!("\n{}", document.to_text(100));
     }
     Ok(text)

@@ -8,6 +8,7 @@ use polhode::body::PrincipalFrame;
 use polhode::math::Body;
 use polhode::motion::{Scenario, Trajectory};
 use polhode_document::VERSION;
+use polhode_scenario::read::exact;
 use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page};
 use polhode_source::shown;
 
@@ -38,7 +39,7 @@ impl Page<'_> {
                 let name = file.file_stem().unwrap_or_default().to_string_lossy();
                 // A scenario without an explanation can still be displayed, such as a pendulum
                 // whose axis cannot carry it.
-                let explanation = explain_motion(scenario, trajectory).ok();
+                let explanation = explain_motion(scenario, trajectory, &exact(text, file, scenario)).ok();
                 page(&PageInput {
                     title: scenario.title().unwrap_or(&name),
                     source: &source,

@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use polhode_scenario::request::explain::solution;
-use polhode_source::files::Disk;
+use polhode_scenario::report::explain_exactly;
 use pyo3::prelude::*;
 
 use crate::error::Raise;
@@ -30,7 +29,7 @@ pub(crate) struct Explained {
 pub(crate) fn explain_scenario(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult<Explained> {
     py.detach(|| {
         let file = scenario::read(path, text).map_err(Raise::raise)?;
-        let document = solution(&file, &Disk)
+        let document = explain_exactly(&file.scenario, &file.exact())
             .map_err(|error| file.placed(&error).map_or_else(|| error.raise(), Raise::raise))?;
         Ok(Explained {
             json: document.to_json().to_string(),

@@ -10,6 +10,7 @@ use polhode::motion::{
 };
 use polhode_document::SourceInfo;
 use polhode_document::VERSION;
+use polhode_scenario::read::exact;
 use polhode_scenario::report::{
     MotionReport, PageInput, PageSubject, explain_motion, has_triangles, page_data, page_data_within, page_of,
 };
@@ -262,7 +263,12 @@ impl PyMotion {
         py.detach(|| {
             // A motion without an explanation can still be displayed, such as a pendulum whose axis
             // cannot carry it. A continuation is explained with the original motion.
-            let explanation = explain_motion(&self.scenario, &self.trajectory).ok();
+            let explanation = explain_motion(
+                &self.scenario,
+                &self.trajectory,
+                &exact(&self.text, &self.path, &self.scenario),
+            )
+            .ok();
             let explanation = explanation.filter(|_| !self.is_continued);
             let input = PageInput {
                 title: self.scenario.title().unwrap_or(UNTITLED),

@@ -111,7 +111,8 @@ fn thinned(run: &Run) -> Run {
 
 fn motion(file: &ScenarioFile, trajectory: &Trajectory, draft: &Draft, request: &MotionRequest) -> Motion {
     let scenario = &file.scenario.clone().noting(shown_otherwise(&file.scenario));
-    let explanation = if request.working { explain_motion(scenario, trajectory).ok() } else { None };
+    let explanation =
+        if request.working { explain_motion(scenario, trajectory, &file.exact()).ok() } else { None };
     let name = draft.path().file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let input = PageInput {
         title: scenario.title().unwrap_or(&name),

@@ -66,13 +66,13 @@ use polhode_document::SourceInfo;
 use polhode_shape::mesh::stl;
 use polhode_shape::report::InertiaReport;
 use polhode_source::file;
-use polhode_source::files::{Disk, Files};
+use polhode_source::files::{Disk, Files, Memory};
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
 use polhode_source::toml::tree::Entries;
 use polhode_source::{FormatError, FormatErrorKind, Place};
 
-use crate::symbolic::{Gap, Symbolic};
+use crate::symbolic::Exact;
 use mass_history::PartHistory;
 use pointing::References;
 use torque::TorquePlaces;
@@ -176,26 +176,9 @@ impl ScenarioFile {
         InertiaReport::of_scenario(source, &self.scenario)
     }
 
-    /// Returns the scenario in symbols; `None` for a file without `[symbols]`.
-    ///
-    /// # Errors
-    /// [`Gap`] if its body is not an exact formula of the symbols.
-    pub fn symbolic(&self, files: &dyn Files) -> Option<Result<Symbolic, Gap>> {
-        self.exact(files, true)
-    }
-
-    /// Returns the scenario in exact fractions; `None` for a file with `[symbols]`, or with numbers
-    /// that are not short decimals.
-    pub fn in_fractions(&self, files: &dyn Files) -> Option<Symbolic> {
-        self.exact(files, false)?.ok()
-    }
-
-    fn exact(&self, files: &dyn Files, has_symbols: bool) -> Option<Result<Symbolic, Gap>> {
-        let source = Source { headings: &TOP, ..Source::new(files, &self.path, &self.text) };
-        let entries = document(source).ok()?;
-        let symbols = symbols::symbols(&Table::root(source, &entries)).ok()?;
-        (symbols.all().is_empty() != has_symbols)
-            .then(|| symbolic::symbolic(source, &entries, &symbols, &self.scenario))
+    /// Returns what the file says exactly: formulas of its `[symbols]`, or fractions.
+    pub fn exact(&self) -> Exact {
+        exact(&self.text, &self.path, &self.scenario)
     }
 
     /// Returns an error of the motion with its place in the file, if it concerns one of the
@@ -278,6 +261,22 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 /// Same as [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     ScenarioFile::parse(&Disk, text.to_owned(), path).map(|file| file.scenario)
+}
+
+/// Returns what the text of a valid scenario says exactly: formulas of its `[symbols]`, or fractions.
+pub fn exact(text: &str, path: &Path, scenario: &Scenario) -> Exact {
+    // Files, such as meshes, have no exact formulas and are not read.
+    let files = Memory::default();
+    let source = Source { headings: &TOP, ..Source::new(&files, path, text) };
+    let Ok(entries) = document(source) else { return Exact::None };
+    let Ok(symbols) = symbols::symbols(&Table::root(source, &entries)) else { return Exact::None };
+    let symbolic = symbolic::symbolic(source, &entries, &symbols, scenario);
+    match (symbolic, symbols.all().is_empty()) {
+        (Ok(symbolic), false) => Exact::Symbols(symbolic),
+        (Err(gap), false) => Exact::Gap(gap),
+        (Ok(symbolic), true) => Exact::Fractions(symbolic),
+        (Err(_), true) => Exact::None,
+    }
 }
 
 /// Parses a file into a tree.

@@ -29,7 +29,7 @@ mod spin;
 mod stability;
 mod torque;
 
-pub use explain::{explain, explain_in_symbols, explain_motion, tensor_in_symbols};
+pub use explain::{exact_tensor, explain, explain_exactly, explain_motion};
 
 pub use motion::MotionReport;
 pub use page::{

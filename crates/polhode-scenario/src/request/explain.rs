@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-use polhode::motion::MotionError;
 use polhode_document::{Document, Report};
 use polhode_source::Failure;
 use polhode_source::files::Files;
@@ -49,22 +48,8 @@ pub struct Request {
 /// [`Failure`] if a file cannot be read or the motion cannot be computed.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Solution, Failure> {
     let file = ScenarioFile::read(files, &request.file)?;
-    solution(&file, files).map(Solution).map_err(|error| failed(&file, error))
-}
-
-/// Returns the worked solution of a scenario that has been read: in symbols, in exact fractions or in
-/// numbers, as far as the file allows.
-///
-/// # Errors
-/// [`MotionError`] if the motion cannot be computed.
-pub fn solution(file: &ScenarioFile, files: &dyn Files) -> Result<Document, MotionError> {
-    if let Some(symbolic) = file.symbolic(files) {
-        return report::explain_in_symbols(&file.scenario, symbolic.as_ref());
-    }
-    match file.in_fractions(files) {
-        Some(exact) => report::explain_in_symbols(&file.scenario, Ok(&exact)),
-        None => report::explain(&file.scenario),
-    }
+    let document = report::explain_exactly(&file.scenario, &file.exact());
+    document.map(Solution).map_err(|error| failed(&file, error))
 }
 
 /// Worked solution of a scenario.

@@ -2,7 +2,7 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `scenario` | [`Symbolic`]: the symbols with their values, body, ω, gravity, pendulum |
+//! | `scenario` | [`Exact`], [`Symbolic`]: the symbols with their values, body, ω, gravity, pendulum |
 //! | `body` | [`SymbolicBody`]: parts with mass, centre and tensor; their sums and shifts |
 //! | `moments` | [`Moments`]: volume, centroid and second moments of each shape |
 //! | `rotation` | exact sines and cosines, rotation matrices |
@@ -19,4 +19,4 @@ pub use body::{SymbolicBody, SymbolicPart, SymbolicParticle};
 pub use gap::Gap;
 pub use moments::Moments;
 pub use rotation::{about_axis, sine_and_cosine, unit};
-pub use scenario::{Known, Symbolic, SymbolicPendulum};
+pub use scenario::{Exact, Known, Symbolic, SymbolicPendulum};

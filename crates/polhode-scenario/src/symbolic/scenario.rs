@@ -5,6 +5,26 @@ use polhode_algebra::{Matrix, RationalFunction, SquareRoot, Symbol, Symbols, Vec
 use super::body::SymbolicBody;
 use super::gap::Gap;
 
+/// What a file says exactly about its scenario.
+#[derive(Clone, Debug)]
+pub enum Exact {
+    /// Numbers only.
+    None,
+    /// Fractions in SI units: all lengths and masses are short decimals.
+    Fractions(Symbolic),
+    /// Formulas of its symbols.
+    Symbols(Symbolic),
+    /// Symbols, but no exact formula of the body.
+    Gap(Gap),
+}
+
+impl Exact {
+    /// Returns the formulas of the symbols, if there are any.
+    pub fn symbols(&self) -> Option<&Symbolic> {
+        if let Self::Symbols(symbolic) = self { Some(symbolic) } else { None }
+    }
+}
+
 /// Body and start of a scenario, as exact formulas of its symbols.
 ///
 /// A quantity is `None` where the scenario has none, and a [`Gap`] where its value is not a formula.
@@ -47,11 +67,6 @@ pub struct SymbolicPendulum {
 }
 
 impl Symbolic {
-    /// Returns true if the file has symbols; without them all values are fractions in SI units.
-    pub fn has_symbols(&self) -> bool {
-        !self.known.is_empty()
-    }
-
     /// Returns the value of a symbol.
     pub fn value(&self, symbol: Symbol) -> Option<f64> {
         if symbol == self.pi {

@@ -8,6 +8,7 @@ use polhode::motion::{
 use polhode::prelude::*;
 use polhode_document::Document;
 use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page, page_rows};
+use polhode_scenario::symbolic::Exact;
 use serde_json::Value;
 
 const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
@@ -15,7 +16,7 @@ const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
 pub(crate) fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) -> String {
     // A motion on the ground or in gimbals has no worked solution.
     let is_held = scenario.mechanism() != Mechanism::Rotor;
-    let explanation = (!is_held).then(|| explain_motion(scenario, trajectory).unwrap());
+    let explanation = (!is_held).then(|| explain_motion(scenario, trajectory, &Exact::None).unwrap());
     page(&input(scenario, trajectory, text, explanation.as_ref()))
 }
 
@@ -86,7 +87,7 @@ fn rows_beside_are_those_inside(scenario: &Scenario, trajectory: &Trajectory, in
             (a, b) => assert_eq!(a, b),
         }
     }
-    let explanation = explain_motion(scenario, trajectory).unwrap();
+    let explanation = explain_motion(scenario, trajectory, &Exact::None).unwrap();
     let (beside, rows) = page_rows(&input(scenario, trajectory, "title = \"x\"", Some(&explanation)));
     let mut seen = Vec::new();
     compare(inside, &beside, &rows, &mut seen);

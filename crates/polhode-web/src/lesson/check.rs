@@ -242,11 +242,8 @@ impl Source<'_> {
             hint: error.hint,
             place: None,
         })?;
-        let solution = explain_motion(&file.scenario, &trajectory).map_err(|error| Unmoved {
-            message: error.to_string(),
-            hint: None,
-            place: None,
-        })?;
+        let solution = explain_motion(&file.scenario, &trajectory, &file.exact())
+            .map_err(|error| Unmoved { message: error.to_string(), hint: None, place: None })?;
         let headings =
             solution.sections.iter().map(|section| format!("{}. {}", section.number, section.title));
         let knobs = draft.numbers().into_iter().map(|number| number.key);

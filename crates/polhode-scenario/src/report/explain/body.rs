@@ -6,6 +6,7 @@ use polhode_document::number::tidy;
 
 use super::symbols;
 use super::working::{Working, cells, n, v};
+use crate::symbolic::Exact;
 
 /// Largest number of rows in a table.
 const MOST_ROWS: usize = 20;
@@ -34,10 +35,10 @@ pub(crate) fn section(w: &Working<'_>) -> Section {
         s.line(format!("M = {mass}"));
     }
     s.line(format!("c = {} m", v(w.body().center_of_mass().to_array())));
-    match w.symbolic {
-        Some(Ok(symbolic)) if symbolic.has_symbols() => symbols::body(symbolic, &mut s),
-        Some(Err(gap)) => symbols::gap(&mut s, gap),
-        _ => {}
+    match w.exact {
+        Exact::Symbols(symbolic) => symbols::body(symbolic, &mut s),
+        Exact::Gap(gap) => symbols::gap(&mut s, gap),
+        Exact::Fractions(_) | Exact::None => {}
     }
     s
 }

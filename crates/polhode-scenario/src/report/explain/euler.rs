@@ -29,7 +29,7 @@ pub(crate) fn section(w: &Working<'_>) -> Section {
          N3 = i3 ω\u{307}3 − (i1 − i2) ω1 ω2",
         "\\begin{aligned}\nN_1 &= i_1 \\dot\\omega_1 - (i_2 - i_3) \\omega_2 \\omega_3 \\cr\nN_2 &= i_2 \\dot\\omega_2 - (i_3 - i_1) \\omega_3 \\omega_1 \\cr\nN_3 &= i_3 \\dot\\omega_3 - (i_1 - i_2) \\omega_1 \\omega_2\n\\end{aligned}",
     );
-    if let Some(symbolic) = w.in_symbols() {
+    if let Some(symbolic) = w.exact.symbols() {
         match &w.needed {
             Some(_) => symbols::needed(symbolic, w.torque.to_array(), &mut s),
             None => symbols::euler(symbolic, &mut s),

@@ -92,7 +92,7 @@ fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut S
             "Ω = 0: ω is perpendicular to the symmetry axis, so it is along a principal axis and constant.",
         );
     }
-    if let Some(symbolic) = w.in_symbols() {
+    if let Some(symbolic) = w.exact.symbols() {
         symbols::top(symbolic, e.to_array(), &Cones::of(top), s);
     }
     cones(w, motion, top, s);

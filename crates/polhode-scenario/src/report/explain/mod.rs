@@ -28,7 +28,7 @@ use std::borrow::Cow;
 use polhode::motion::{MotionError, Scenario, Trajectory};
 use polhode_document::{Document, Section};
 
-use crate::symbolic::{Gap, Symbolic};
+use crate::symbolic::Exact;
 use inside::Inside;
 use working::Working;
 
@@ -70,50 +70,56 @@ use working::Working;
 /// # Errors
 /// [`MotionError`] if the scenario's run cannot be computed, or its pendulum cannot hang.
 pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
-    Ok(solved(&Working::of(scenario)?))
+    explain_exactly(scenario, &Exact::None)
 }
 
-/// Returns the worked solution of a scenario with exact formulas of its symbols before the numbers.
+/// Returns the worked solution of a scenario, with exact formulas before the numbers where the file
+/// has them.
 ///
 /// # Errors
 /// As [`explain`].
-pub fn explain_in_symbols(
-    scenario: &Scenario,
-    symbolic: Result<&Symbolic, &Gap>,
-) -> Result<Document, MotionError> {
-    Ok(solved(&Working { symbolic: Some(symbolic), ..Working::of(scenario)? }))
+pub fn explain_exactly(scenario: &Scenario, exact: &Exact) -> Result<Document, MotionError> {
+    Ok(solved(&Working { exact, ..Working::of(scenario)? }))
 }
 
-/// Returns the steps from the masses to the principal moments in exact formulas, without numbers.
+/// Returns the steps from the masses to the principal moments in exact formulas, without numbers;
+/// `None` if there are none.
 ///
 /// # Errors
 /// [`MotionError`] if the scenario has no worked solution.
-pub fn tensor_in_symbols(scenario: &Scenario, symbolic: &Symbolic) -> Result<Document, MotionError> {
+pub fn exact_tensor(scenario: &Scenario, exact: &Exact) -> Result<Option<Document>, MotionError> {
     let w = Working::with(scenario, None)?;
-    let mut section = Section::new(0, "In symbols");
+    let mut section = Section::new(0, "Exact formulas");
     let moments = w.rotor.principal().moments();
-    if symbolic.has_symbols() {
-        symbols::body(symbolic, &mut section);
-        symbols::tensor(symbolic, w.point_name(), moments, &mut section);
-    } else {
-        symbols::fractions(symbolic, moments, &mut section);
+    match exact {
+        Exact::Symbols(symbolic) => {
+            symbols::body(symbolic, &mut section);
+            symbols::tensor(symbolic, w.point_name(), moments, &mut section);
+        }
+        Exact::Fractions(symbolic) => symbols::fractions(symbolic, moments, &mut section),
+        Exact::Gap(_) | Exact::None => {}
     }
-    Ok(Document {
+    let document = Document {
         findings: Vec::new(),
         title: w.title(),
         verdict: None,
         answer: Vec::new(),
         sections: vec![section],
-    })
+    };
+    Ok(document.sections.iter().any(|section| !section.blocks.is_empty()).then_some(document))
 }
 
-/// Returns the worked solution of a scenario whose motion is known: as [`explain`], without
+/// Returns the worked solution of a scenario whose motion is known: as [`explain_exactly`], without
 /// computing it again.
 ///
 /// # Errors
 /// [`MotionError`] if the scenario's pendulum cannot hang.
-pub fn explain_motion(scenario: &Scenario, trajectory: &Trajectory) -> Result<Document, MotionError> {
-    Ok(solved(&Working::with(scenario, Some(Cow::Borrowed(trajectory)))?))
+pub fn explain_motion(
+    scenario: &Scenario,
+    trajectory: &Trajectory,
+    exact: &Exact,
+) -> Result<Document, MotionError> {
+    Ok(solved(&Working { exact, ..Working::with(scenario, Some(Cow::Borrowed(trajectory)))? }))
 }
 
 fn solved(w: &Working<'_>) -> Document {
@@ -166,7 +172,7 @@ fn derivations(step: u8, w: &Working<'_>) -> &'static [&'static str] {
 fn solution(w: &Working<'_>) -> Section {
     let mut section = Section::new(5, "Solve for ω(t)");
     if let Some(pendulum) = &w.pendulum {
-        if let Some(symbolic) = w.in_symbols() {
+        if let Some(symbolic) = w.exact.symbols() {
             symbols::pendulum(symbolic, pendulum, &mut section);
         }
         pendulum::solve(w, pendulum, &mut section);

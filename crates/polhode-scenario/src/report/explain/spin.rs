@@ -17,7 +17,7 @@ const MOST_PARTICLES: usize = 12;
 pub(crate) fn section(w: &Working<'_>) -> Section {
     let mut s = Section::new(2, "Note ω and N at t0");
     omega(w, &mut s);
-    if let Some(symbolic) = w.in_symbols() {
+    if let Some(symbolic) = w.exact.symbols() {
         symbols::omega(symbolic, &mut s);
     }
     torque(w, &mut s);

@@ -10,6 +10,7 @@ use polhode_document::unit::angle;
 use super::inside::Inside;
 use super::symbols;
 use super::working::{Working, cells, exactly, factor, n, v};
+use crate::symbolic::Exact;
 
 /// Names of the body axes; the principal axes are 1, 2 and 3.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -26,7 +27,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
         "Iij = Σ mα (δij Σk xα,k² − xα,i xα,j)      for a continuous body  ∫ ρ (δij Σk xk² − xi xj) dV",
         r"I_{ij} = \sum_\alpha m_\alpha \left(\delta_{ij} \sum_k x_{\alpha,k}^2 - x_{\alpha,i} x_{\alpha,j}\right) \quad\text{or}\quad \int \rho \left(\delta_{ij} \sum_k x_k^2 - x_i x_j\right) dV",
     );
-    if let Some(symbolic) = w.in_symbols() {
+    if let Some(symbolic) = w.exact.symbols() {
         symbols::tensor(symbolic, w.point_name(), w.rotor.principal().moments(), &mut s);
         if w.is_turning() {
             symbols::momentum(symbolic, w.rotor.kinetic_energy(w.start.omega), &mut s);
@@ -45,7 +46,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
     ));
     let tensor = w.rotor.inertia().matrix();
     s.matrix("{I}", tensor, "kg·m²");
-    if let Some(exact) = w.in_fractions() {
+    if let Exact::Fractions(exact) = w.exact {
         symbols::fractions(exact, w.rotor.principal().moments(), &mut s);
     }
     if w.rotor.principal().symmetry() == Symmetry::Point {

@@ -19,7 +19,7 @@ use polhode_document::number::{alike, number, tidy_beside};
 use super::rows::Rows;
 use crate::report::free_facts::FreeFacts;
 use crate::report::motion;
-use crate::symbolic::{Gap, Symbolic};
+use crate::symbolic::Exact;
 
 /// Initial state, and the computed motion if there is one.
 pub(crate) struct Working<'a> {
@@ -39,8 +39,8 @@ pub(crate) struct Working<'a> {
     pub contact: Option<ContactState>,
     /// Computed motion; `None` without a run.
     pub trajectory: Option<Cow<'a, Trajectory>>,
-    /// Scenario in symbols, if it has any.
-    pub symbolic: Option<Result<&'a Symbolic, &'a Gap>>,
+    /// What the file says exactly.
+    pub exact: &'a Exact,
     /// Rows of the table in step 5; empty without a run, or on the ground.
     pub rows: Rows,
 }
@@ -122,19 +122,9 @@ impl<'a> Working<'a> {
             at_start,
             contact,
             trajectory,
-            symbolic: None,
+            exact: &Exact::None,
             rows,
         })
-    }
-
-    /// Returns the scenario in symbols, if its body is a formula of them.
-    pub(crate) fn in_symbols(&self) -> Option<&'a Symbolic> {
-        self.symbolic.and_then(Result::ok).filter(|symbolic| symbolic.has_symbols())
-    }
-
-    /// Returns the scenario in exact fractions, if its numbers allow it.
-    pub(crate) fn in_fractions(&self) -> Option<&'a Symbolic> {
-        self.symbolic.and_then(Result::ok).filter(|symbolic| !symbolic.has_symbols())
     }
 
     pub(crate) fn title(&self) -> String {

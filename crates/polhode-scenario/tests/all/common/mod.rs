@@ -13,6 +13,7 @@ use polhode::motion::{Motor, Prescribed, Run, Suspension};
 use polhode::prelude::*;
 use polhode_document::Document;
 use polhode_scenario::report::{explain, explain_motion};
+use polhode_scenario::symbolic::Exact;
 
 /// Returns a part that consists of particles.
 pub fn particles(list: &[(f64, [f64; 3])]) -> BodyPart {
@@ -256,7 +257,7 @@ pub fn solutions() -> &'static [Solution] {
     let solve = |scenario: Scenario| {
         let trajectory = scenario.simulate().transpose().unwrap();
         let document = match &trajectory {
-            Some(trajectory) => explain_motion(&scenario, trajectory),
+            Some(trajectory) => explain_motion(&scenario, trajectory, &Exact::None),
             None => explain(&scenario),
         };
         Solution { document: document.unwrap(), scenario, trajectory }

@@ -58,7 +58,7 @@ fn equation(of: &Symbolic, tensor: &Matrix, rest: &Matrix, s: &mut Section) {
         return;
     }
     s.say("The characteristic equation |{I} − I 1| = 0 and its roots:");
-    if is_numbers && of.has_symbols() {
+    if is_numbers && !of.known.is_empty() {
         let scale = Formula::named("I").over(factor.to_formula(&of.symbols));
         write(s, &unknown.clone().related(Relation::Defined, scale));
     }
@@ -70,7 +70,7 @@ fn axes(of: &Symbolic, axes: &[Vector], s: &mut Section) {
     match axes {
         [axis] => {
             s.say("Its axis, from ({I} − I 1) ω = 0:");
-            write(s, &Formula::vector("omega").related(Relation::To, along_axes(of, axis)));
+            write(s, &Formula::vector("omega").related(Relation::To, shortest(of, axis)));
         }
         [] => {}
         [one, other, ..] => {
@@ -78,6 +78,14 @@ fn axes(of: &Symbolic, axes: &[Vector], s: &mut Section) {
             write(s, &Formula::List(vec![along_axes(of, one), along_axes(of, other)]));
         }
     }
+}
+
+/// Returns the multiple of an axis with the shortest formula.
+fn shortest(of: &Symbolic, axis: &Vector) -> Formula {
+    let divided = axis.0.iter().filter_map(|component| RationalFunction::one().over(component));
+    let multiples = divided.map(|scale| axis.scaled(&scale).primitive());
+    let formulas = multiples.chain([axis.clone()]).map(|axis| along_axes(of, &axis));
+    formulas.min_by_key(|formula| formula.to_text().chars().count()).unwrap_or_else(|| along_axes(of, axis))
 }
 
 /// Returns the rational roots, ascending at the values of the symbols.

@@ -18,7 +18,7 @@ const FIRST: [Step; 7] = [
     ("layers", || layers::check().and_then(|()| arrows::check()).and_then(|()| circles::check())),
     ("prose", prose::check),
     ("licences", dependencies::check),
-    ("packages", || packages::check(false)),
+    ("packages", packages::check),
     ("lints", || {
         let all = ["clippy", "--workspace", "--all-targets", "--locked", "--features", FEATURES];
         process::run(cargo(&all).args(["--", "-D", "warnings"]))

@@ -80,7 +80,7 @@ fn main() -> ExitCode {
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),
         ["readme", "--write"] => installation::write(),
-        ["packages"] => packages::check(false),
+        ["packages"] => packages::check(),
         ["api"] => api::check(),
         ["api", "--write"] => api::write(),
         ["book"] => book::build(false),

@@ -1,13 +1,26 @@
 //! Checks of the crates as packages: licences, README, and no paths to files outside.
 
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
-use crate::process::{cargo, run};
+use crate::process::{build_folder, cargo, run};
 use crate::{Outcome, files, read, root, short};
 
-/// Packages every crate, and looks for paths that lead outside of it; with `is_built`, compiles each
-/// from its package.
-pub(crate) fn check(is_built: bool) -> Outcome {
+/// Packages every crate, and looks for paths that lead outside of it.
+pub(crate) fn check() -> Outcome {
+    package(&["--no-verify"])
+}
+
+/// Packages every crate of a commit, and compiles each from its package; returns the folder of the
+/// packages.
+///
+/// Cargo keeps unpacked crates by version and build folder, so the commit is in the folder's name.
+pub(crate) fn compiled(commit: &str) -> Result<PathBuf, String> {
+    let folder = build_folder()?.with_file_name(format!("packages-{}", commit.trim()));
+    package(&["--target-dir", &folder.to_string_lossy()])?;
+    Ok(folder.join("package"))
+}
+
+fn package(options: &[&str]) -> Outcome {
     let crates = root().join("crates");
     let mut leaving = Vec::new();
     let mut count = 0;
@@ -28,7 +41,7 @@ pub(crate) fn check(is_built: bool) -> Outcome {
         return Err(format!("files that are not in the package: {leaving:?}"));
     }
     let all = ["package", "--quiet", "--workspace", "--exclude", "xtask", "--locked", "--allow-dirty"];
-    run(cargo(&all).args(if is_built { None } else { Some("--no-verify") }))?;
+    run(cargo(&all).args(options))?;
     println!("   {count} packages");
     Ok(())
 }

@@ -48,8 +48,7 @@ pub(crate) fn make() -> Outcome {
     take(&[page::path()], &folder)?;
     compiled(&folder)?;
     take(&[vscode::package(&dist::program(&dist::host()?))?], &folder)?;
-    packages::check(true)?;
-    take(&files(&in_target("package")?, "crate")?, &folder.join("crates"))?;
+    take(&files(&packages::compiled(&head()?)?, "crate")?, &folder.join("crates"))?;
     book::build(false)?;
     copy(&in_target("book")?, &folder.join("site"))?;
     take(&[page::path()], &folder.join("site"))?;

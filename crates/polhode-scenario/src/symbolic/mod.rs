@@ -15,7 +15,7 @@ mod rotation;
 mod scenario;
 
 pub(crate) use body::shift;
-pub use body::{SymbolicBody, SymbolicPart, SymbolicParticle};
+pub use body::{OwnTensor, SymbolicBody, SymbolicPart, SymbolicParticle};
 pub use gap::Gap;
 pub use moments::Moments;
 pub use rotation::{about_axis, sine_and_cosine, unit};

@@ -36,8 +36,14 @@ pub struct Symbolic {
     pub known: Vec<Known>,
     /// Symbol of π.
     pub pi: Symbol,
-    /// The body.
+    /// Parts of the body.
     pub body: SymbolicBody,
+    /// Mass M.
+    pub mass: RationalFunction,
+    /// Centre of mass c, body axes.
+    pub center: Vector,
+    /// Inertia tensor about the reference point, the pivot or the centre of mass.
+    pub tensor: Matrix,
     /// Angular velocity ω at the start, body axes.
     pub omega: Option<Result<Vector, Gap>>,
     /// Angular acceleration dω/dt of a prescribed motion, body axes.
@@ -87,12 +93,7 @@ impl Symbolic {
     }
 
     /// Returns the reference point: the pivot, or the centre of mass.
-    pub fn point(&self) -> Option<Vector> {
-        self.body.pivot.clone().or_else(|| Some(self.body.center()?.1))
-    }
-
-    /// Returns the inertia tensor about the reference point.
-    pub fn tensor(&self) -> Option<Matrix> {
-        Some(self.body.tensor_about(&self.point()?))
+    pub fn point(&self) -> &Vector {
+        self.body.pivot.as_ref().unwrap_or(&self.center)
     }
 }

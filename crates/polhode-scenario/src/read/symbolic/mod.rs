@@ -33,11 +33,21 @@ pub(super) fn symbolic(
         return Err(Gap::Kind { what: "a body".to_owned(), why });
     }
     let body = body(&letters, &root)?;
+    if body.pivot.is_none() && body.central_terms() > MOST_TERMS {
+        let what = "the tensor about the centre of mass".to_owned();
+        return Err(Gap::Kind { what, why: "has too many terms; give the body a pivot, or fewer symbols" });
+    }
+    let massless = || Gap::Differs { what: "the mass".to_owned() };
+    let (mass, center) = body.center().ok_or_else(massless)?;
+    let tensor = body.tensor_about(body.pivot.as_ref().unwrap_or(&center));
     let mut symbolic = Symbolic {
         symbols: letters.symbols.clone(),
         known: letters.known.clone(),
         pi: letters.pi,
         body,
+        mass,
+        center,
+        tensor,
         omega: None,
         acceleration: None,
         pendulum: None,
@@ -86,21 +96,22 @@ fn body(letters: &Letters<'_>, root: &Table<'_>) -> Result<SymbolicBody, Gap> {
     Ok(SymbolicBody { parts, pivot: pivot.transpose()? })
 }
 
+/// Largest number of terms in a numerator of the tensor about the centre of mass.
+const MOST_TERMS: usize = 24;
+
 /// Largest relative difference between a formula and the computed value.
 const ROUNDING: f64 = 1e-9;
 
 /// Compares mass, centre and tensor with the computed ones.
 fn check_body(symbolic: &Symbolic, scenario: &Scenario) -> Result<(), Gap> {
     let differs = |what: &str| Gap::Differs { what: what.to_owned() };
-    let (mass, center) = symbolic.body.center().ok_or_else(|| differs("the mass"))?;
     let agrees = |formula: &RationalFunction, value: f64, scale: f64| {
         symbolic.evaluate(formula).is_some_and(|x| (x - value).abs() <= ROUNDING * scale)
     };
     let body = scenario.body();
-    if !agrees(&mass, body.mass(), body.mass()) {
+    if !agrees(&symbolic.mass, body.mass(), body.mass()) {
         return Err(differs("the mass"));
     }
-    let tensor = symbolic.tensor().ok_or_else(|| differs("the tensor"))?;
     let computed = scenario.rotor().inertia().matrix();
     let size = computed[0][0].max(computed[1][1]).max(computed[2][2]);
     // A length of the size of the body and its distance from the origin.
@@ -109,11 +120,11 @@ fn check_body(symbolic: &Symbolic, scenario: &Scenario) -> Result<(), Gap> {
         / body.mass())
     .sqrt();
     let c = body.center_of_mass().to_array();
-    if (0..3).any(|k| !agrees(&center.0[k], c[k], length)) {
+    if (0..3).any(|k| !agrees(&symbolic.center.0[k], c[k], length)) {
         return Err(differs("the centre of mass"));
     }
     let elements = (0..3).flat_map(|i| (0..3).map(move |j| (i, j)));
-    if elements.into_iter().any(|(i, j)| !agrees(&tensor.0[i][j], computed[i][j], size)) {
+    if elements.into_iter().any(|(i, j)| !agrees(&symbolic.tensor.0[i][j], computed[i][j], size)) {
         return Err(differs("the tensor"));
     }
     Ok(())

@@ -6,7 +6,7 @@ use polhode_source::unit::Dimension;
 
 use super::shape::moments;
 use super::value::{Letters, unreadable};
-use crate::symbolic::{Gap, SymbolicPart, SymbolicParticle, about_axis, sine_and_cosine};
+use crate::symbolic::{Gap, OwnTensor, SymbolicPart, SymbolicParticle, about_axis, sine_and_cosine};
 
 /// Returns part number `number`, counted from 1.
 pub(super) fn part(letters: &Letters<'_>, table: &Table<'_>, number: usize) -> Result<SymbolicPart, Gap> {
@@ -37,13 +37,13 @@ pub(super) fn part(letters: &Letters<'_>, table: &Table<'_>, number: usize) -> R
             Ok(SymbolicParticle { mass, position: placed(&at) })
         });
         let particles = particles.collect::<Result<Vec<_>, Gap>>()?;
-        return SymbolicPart::of_particles(name.clone(), particles)
-            .ok_or_else(|| Gap::Kind { what: of("particles"), why: "have no mass in symbols" });
+        return Ok(SymbolicPart { name: name.clone(), particles, own: None });
     }
     let moments = moments(letters, table, kind, &name)?;
     let mass = mass(letters, table, moments.measure.as_ref(), of)?;
-    let (center, own) = (placed(&moments.centroid), moments.tensor(&mass));
-    Ok(SymbolicPart { name, mass, center, own, rotation, particles: Vec::new() })
+    let tensor = moments.tensor(&mass);
+    let particles = vec![SymbolicParticle { mass, position: placed(&moments.centroid) }];
+    Ok(SymbolicPart { particles, own: Some(OwnTensor { tensor, rotation }), name: name.clone() })
 }
 
 /// Returns the mass, given or as density times volume.

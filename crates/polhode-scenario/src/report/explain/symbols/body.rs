@@ -10,9 +10,8 @@ use crate::symbolic::Symbolic;
 pub(crate) fn body(of: &Symbolic, s: &mut Section) {
     s.say("In symbols, with these values:");
     s.line(of.known.iter().map(|known| known.written.as_str()).collect::<Vec<_>>().join(",  "));
-    let Some((mass, center)) = of.body.center() else { return };
     let index = Formula::named("alpha");
     let masses = Formula::sum_over(index.clone(), Formula::named("m").index(index));
-    write(s, &masses.equals(formula(of, &mass)));
-    write(s, &Formula::vector("c").equals(center.to_formula(&of.symbols)));
+    write(s, &masses.equals(formula(of, &of.mass)));
+    write(s, &Formula::vector("c").equals(of.center.to_formula(&of.symbols)));
 }

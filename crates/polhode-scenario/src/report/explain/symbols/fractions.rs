@@ -13,7 +13,7 @@ const LARGEST: f64 = 1000.0;
 /// Writes the tensor and its principal moments as fractions, if all are short and one of them is no
 /// decimal.
 pub(crate) fn fractions(of: &Symbolic, moments: [f64; 3], s: &mut Section) {
-    let Some(tensor) = of.tensor() else { return };
+    let tensor = &of.tensor;
     let roots = tensor.eigenvalues();
     let values = tensor.0.iter().flatten().chain(roots.rational.iter().map(|(root, _)| root));
     let denominators: Option<Vec<f64>> = values.map(denominator).collect();
@@ -26,7 +26,7 @@ pub(crate) fn fractions(of: &Symbolic, moments: [f64; 3], s: &mut Section) {
     }
     s.say("Exactly, in kg·m², since all lengths and masses are short decimals:");
     write(s, &tensor_letter().equals(tensor.to_formula(Fence::Braces, &of.symbols)));
-    principal(of, &tensor, moments, s);
+    principal(of, tensor, moments, s);
 }
 
 /// Returns the denominator of a number.

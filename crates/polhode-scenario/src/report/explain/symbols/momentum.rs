@@ -17,8 +17,8 @@ pub(crate) fn omega(of: &Symbolic, s: &mut Section) {
 
 /// Writes L = {I} ω and T = ½ ω · L; `energy` is the computed T, J.
 pub(crate) fn momentum(of: &Symbolic, energy: f64, s: &mut Section) {
-    let (Some(Ok(omega)), Some(tensor)) = (&of.omega, of.tensor()) else { return };
-    let momentum = tensor.times_vector(omega);
+    let Some(Ok(omega)) = &of.omega else { return };
+    let momentum = of.tensor.times_vector(omega);
     let left = Formula::vector("L").equals(tensor_letter().times(Formula::vector("omega")));
     write(s, &left.equals(along_axes(of, &momentum)));
     let half = Rational::new(1, 2).map_or_else(RationalFunction::zero, RationalFunction::from);

@@ -14,13 +14,9 @@ pub(crate) fn pendulum(of: &Symbolic, computed: &Pendulum, s: &mut Section) {
         Some(Err(why)) => return gap(s, why),
         None => return,
     };
-    let (Some((mass, center)), Some(point), Some(tensor)) = (of.body.center(), of.point(), of.tensor())
-    else {
-        return;
-    };
     let axis = &symbolic.axis;
-    let moment = axis.dot(&tensor.times_vector(axis));
-    let lever = center - point;
+    let moment = axis.dot(&of.tensor.times_vector(axis));
+    let lever = &of.center - of.point();
     let across = &lever - &axis.scaled(&axis.dot(&lever));
     let arm = across.dot(&across).square_root(&of.symbols);
     s.say("In symbols:");
@@ -32,7 +28,7 @@ pub(crate) fn pendulum(of: &Symbolic, computed: &Pendulum, s: &mut Section) {
     checked(s, "the distance of the centre of mass", value(&arm), computed.arm(), &line);
     // ω0² = M g d/I
     let square = SquareRoot {
-        outside: &mass * &symbolic.gravity.outside * &arm.outside,
+        outside: &of.mass * &symbolic.gravity.outside * &arm.outside,
         inside: &symbolic.gravity.inside * &arm.inside,
     };
     let Some(outside) = square.outside.over(&moment) else { return };

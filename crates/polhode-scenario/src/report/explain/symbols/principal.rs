@@ -1,10 +1,16 @@
 //! Principal moments and axes in symbols.
 
-use polhode_algebra::{Formula, Matrix, RationalFunction, Relation, RemainingRoots, Roots, Vector};
+use std::collections::BTreeSet;
+
+use polhode_algebra::{Formula, Matrix, RationalFunction, Relation, RemainingRoots, Roots, Symbol, Vector};
 use polhode_document::Section;
 
 use super::{ROUNDING, along_axes, formula, gap, write};
 use crate::symbolic::{Gap, Symbolic};
+
+/// Largest matrix whose roots are looked for, without its common factor.
+const MOST_TERMS: usize = 18;
+const MOST_SYMBOLS: usize = 4;
 
 /// Longest characteristic equation that is written, characters.
 const LONGEST: usize = 160;
@@ -15,6 +21,13 @@ pub(super) fn principal(of: &Symbolic, tensor: &Matrix, moments: [f64; 3], s: &m
     let is_diagonal = [(0, 1), (0, 2), (1, 2)].iter().all(|&(i, j)| tensor.0[i][j].is_zero());
     if is_diagonal {
         s.say("{I} is diagonal, so the body axes are principal axes.");
+        return;
+    }
+    let elements = || rest.0.iter().flatten();
+    let terms: usize = elements().map(|e| e.numerator().term_count()).sum();
+    let symbols: BTreeSet<Symbol> = elements().flat_map(RationalFunction::symbols).collect();
+    if terms > MOST_TERMS || symbols.len() > MOST_SYMBOLS {
+        s.say("The characteristic equation of so many symbols is long; its roots follow in numbers.");
         return;
     }
     equation(of, tensor, &rest, s);

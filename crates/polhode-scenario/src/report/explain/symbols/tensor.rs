@@ -4,7 +4,7 @@ use polhode_algebra::{Fence, Formula, Matrix, RationalFunction, Vector};
 use polhode_document::Section;
 
 use super::{formula, principal, tensor_letter, write};
-use crate::symbolic::{Symbolic, SymbolicPart, SymbolicParticle, shift};
+use crate::symbolic::{OwnTensor, Symbolic, SymbolicPart, SymbolicParticle, shift};
 
 /// Elements of a tensor: indices and names.
 const ELEMENTS: [(usize, usize, &str); 6] =
@@ -13,30 +13,31 @@ const ELEMENTS: [(usize, usize, &str); 6] =
 /// Largest number of particles in a written sum.
 const MOST_TERMS: usize = 6;
 
+/// Widest matrix, characters.
+const WIDEST: usize = 90;
+
 /// Largest number of parts whose tensors are written.
 const MOST_PARTS: usize = 8;
 
 /// Writes the tensor about the reference point, with its principal moments and axes.
 pub(crate) fn tensor(of: &Symbolic, about: &str, moments: [f64; 3], s: &mut Section) {
-    let (Some(point), Some(tensor)) = (of.point(), of.tensor()) else { return };
+    let (point, tensor) = (of.point(), &of.tensor);
     match of.body.particles().filter(|particles| particles.len() <= MOST_TERMS) {
         Some(particles) => {
             s.say(format!("In symbols, with the particles measured from {about}:"));
-            sums(of, &particles, &point, s);
+            sums(of, &particles, point, s);
         }
-        None => parts(of, &point, about, s),
+        None => parts(of, point, about, s),
     }
-    // The tensor of a single part at the reference point has been written.
-    let is_written = matches!(&of.body.parts[..], [part] if part.particles.is_empty() && part.own == tensor);
-    if !is_written {
-        write(s, &tensor_letter().equals(tensor.factored_formula(Fence::Braces, &of.symbols)));
+    if !is_written(of, tensor) {
+        matrix(of, tensor_letter(), tensor, s);
     }
     if of.body.particles().is_none_or(|particles| particles.len() > MOST_TERMS) {
         for (value, names) in grouped(|i, j| tensor.0[i][j].clone()) {
             write(s, &names.equals(formula(of, &value)));
         }
     }
-    principal::principal(of, &tensor, moments, s);
+    principal::principal(of, tensor, moments, s);
 }
 
 /// Writes each element as the sum over the particles, and its value.
@@ -73,51 +74,68 @@ fn grouped<T: PartialEq>(element: impl Fn(usize, usize) -> T) -> Vec<(T, Formula
 fn parts(of: &Symbolic, point: &Vector, about: &str, s: &mut Section) {
     let all = &of.body.parts;
     for part in all.iter().take(MOST_PARTS) {
-        own(of, part, s);
-        let d = &part.center - point;
-        if d.is_zero() {
-            continue;
+        for particle in &part.particles {
+            let whole = match &part.own {
+                Some(whole) => {
+                    own(of, part, particle, whole, s);
+                    "It"
+                }
+                None => "A particle",
+            };
+            let d = &particle.position - point;
+            if d.is_zero() {
+                continue;
+            }
+            s.say(format!("{whole} is moved to {about} by the parallel-axis theorem, with"));
+            write(s, &Formula::vector("d").equals(d.to_formula(&of.symbols)));
+            let left = Formula::named("m").times(
+                Formula::sum(vec![
+                    Formula::named("d").squared().times(Formula::integer(1).bold()),
+                    Formula::vector("d").times(Formula::vector("d")).negative(),
+                ])
+                .grouped(Fence::Parentheses),
+            );
+            matrix(of, left, &shift(&particle.mass, &d), s);
         }
-        s.say(format!(
-            "It is shifted from its centre of mass to {about}, by the parallel-axis theorem, with"
-        ));
-        write(s, &Formula::vector("d").equals(d.to_formula(&of.symbols)));
-        let left = Formula::named("m").times(
-            Formula::sum(vec![
-                Formula::named("d").squared().times(Formula::integer(1).bold()),
-                Formula::vector("d").times(Formula::vector("d")).negative(),
-            ])
-            .grouped(Fence::Parentheses),
-        );
-        write(s, &left.equals(shift(&part.mass, &d).factored_formula(Fence::Braces, &of.symbols)));
     }
     if all.len() > MOST_PARTS {
         s.say(format!("… and {} more parts in the same way.", all.len() - MOST_PARTS));
     }
     match &all[..] {
-        [part] if part.center == *point => {}
+        [_] if is_written(of, &of.tensor) => {}
         [_] => s.say("Together:"),
         _ => s.say("The sum over the parts:"),
     }
 }
 
-fn own(of: &Symbolic, part: &SymbolicPart, s: &mut Section) {
-    s.say(format!(
-        "In symbols, {}: its mass, and its tensor about its centre of mass{}:",
-        part.name,
-        match part.rotation {
-            Some(_) => ", along its own axes, and with R along body axes",
-            None => "",
-        }
-    ));
-    write(s, &Formula::named("m").equals(formula(of, &part.mass)));
+/// Writes a matrix, unless it is wider than a line: then only its elements are readable.
+fn matrix(of: &Symbolic, left: Formula, matrix: &Matrix, s: &mut Section) {
+    let formula = left.equals(matrix.factored_formula(Fence::Braces, &of.symbols));
+    if formula.to_text().lines().all(|line| line.chars().count() <= WIDEST) {
+        write(s, &formula);
+    } else {
+        s.say("(a matrix wider than a line; the elements of the sum follow)");
+    }
+}
+
+/// Returns true if the tensor is that of a single shape about its own centre of mass.
+fn is_written(of: &Symbolic, tensor: &Matrix) -> bool {
+    matches!(&of.body.parts[..], [part] if part.own.as_ref().is_some_and(|own| own.along_body_axes() == *tensor))
+}
+
+fn own(of: &Symbolic, part: &SymbolicPart, particle: &SymbolicParticle, own: &OwnTensor, s: &mut Section) {
+    let axes = match own.rotation {
+        Some(_) => ", along its own axes and, with R, along body axes",
+        None => "",
+    };
+    s.say(format!("In symbols, {}: its mass, and its tensor about its centre of mass{axes}:", part.name));
+    write(s, &Formula::named("m").equals(formula(of, &particle.mass)));
     let letter = tensor_letter().index(Formula::text("own"));
-    write(s, &letter.equals(part.own.factored_formula(Fence::Braces, &of.symbols)));
-    if let Some(rotation) = &part.rotation {
+    matrix(of, letter.clone(), &own.tensor, s);
+    if let Some(rotation) = &own.rotation {
         write(s, &Formula::vector("R").equals(rotation.to_formula(Fence::Braces, &of.symbols)));
-        let turned = Formula::vector("R")
-            .times(tensor_letter().index(Formula::text("own")))
-            .times(Formula::vector("R").power(Formula::text("T")));
-        write(s, &turned.equals(part.along_body_axes().factored_formula(Fence::Braces, &of.symbols)));
+        let transposed = Formula::vector("R").power(Formula::text("T"));
+        let turned = Formula::vector("R").times(letter).times(transposed);
+        matrix(of, turned, &own.along_body_axes(), s);
     }
 }

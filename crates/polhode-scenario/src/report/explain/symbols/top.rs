@@ -9,7 +9,7 @@ use crate::symbolic::{Symbolic, unit};
 
 /// Writes the rates and the half-angles of the cones of a symmetric top.
 pub(crate) fn top(of: &Symbolic, axis: [f64; 3], cones: &Cones, s: &mut Section) {
-    let (Some(Ok(omega)), Some(tensor)) = (&of.omega, of.tensor()) else { return };
+    let (Some(Ok(omega)), tensor) = (&of.omega, &of.tensor) else { return };
     let roots = tensor.eigenvalues();
     let (RemainingRoots::None, [_, _]) = (&roots.rest, &roots.rational[..]) else { return };
     let find = |n| roots.rational.iter().find(|(_, multiplicity)| *multiplicity == n);

@@ -11,7 +11,7 @@ const MOST_PARTICLES: usize = 6;
 
 /// Writes Euler's equations with the moments of a diagonal tensor in place.
 pub(crate) fn euler(of: &Symbolic, s: &mut Section) {
-    let Some(tensor) = of.tensor() else { return };
+    let tensor = &of.tensor;
     let moments = [0, 1, 2].map(|k| tensor.0[k][k].clone());
     let is_diagonal = [(0, 1), (0, 2), (1, 2)].iter().all(|&(i, j)| tensor.0[i][j].is_zero());
     if !is_diagonal {
@@ -36,7 +36,7 @@ pub(crate) fn euler(of: &Symbolic, s: &mut Section) {
 
 /// Writes the torque N = {I} ω̇ + ω × L of a prescribed motion, and the forces on its particles.
 pub(crate) fn needed(of: &Symbolic, computed: [f64; 3], s: &mut Section) {
-    let (Some(Ok(omega)), Some(tensor)) = (&of.omega, of.tensor()) else { return };
+    let (Some(Ok(omega)), tensor) = (&of.omega, &of.tensor) else { return };
     let acceleration = match &of.acceleration {
         Some(Ok(acceleration)) => acceleration,
         Some(Err(why)) => return gap(s, why),
@@ -52,23 +52,30 @@ pub(crate) fn needed(of: &Symbolic, computed: [f64; 3], s: &mut Section) {
     }
     s.say("In symbols:");
     write(s, &Formula::vector("N").equals(along_axes(of, &torque)));
-    forces(of, omega, acceleration, s);
+    forces(of, omega, acceleration, &torque, s);
 }
 
 /// Writes F = m [ω̇ × r + ω × (ω × r)] of each particle, r from the reference point.
-fn forces(of: &Symbolic, omega: &Vector, acceleration: &Vector, s: &mut Section) {
-    let (Some(particles), Some(point)) = (of.body.particles(), of.point()) else { return };
+fn forces(of: &Symbolic, omega: &Vector, acceleration: &Vector, torque: &Vector, s: &mut Section) {
+    let Some(particles) = of.body.particles() else { return };
     if particles.len() > MOST_PARTICLES {
         return;
     }
-    s.say("The forces on the particles, F = m [ω\u{307} × r + ω × (ω × r)]:");
-    let mut sum = Vector::zero();
-    for (k, particle) in particles.iter().enumerate() {
-        let r = &particle.position - &point;
+    let forces = particles.iter().map(|particle| {
+        let r = &particle.position - of.point();
         let force = (acceleration.cross(&r) + omega.cross(&omega.cross(&r))).scaled(&particle.mass);
-        write(s, &Formula::vector(&format!("F_{}", k + 1)).equals(along_axes(of, &force)));
-        sum = sum + force;
+        (r, force)
+    });
+    let forces: Vec<(Vector, Vector)> = forces.collect();
+    // N = Σ r × F holds exactly.
+    if forces.iter().fold(Vector::zero(), |sum, (r, force)| sum + r.cross(force)) != *torque {
+        return gap(s, &Gap::Differs { what: "the forces".to_owned() });
     }
+    s.say("The forces on the particles, F = m [ω\u{307} × r + ω × (ω × r)]:");
+    for (k, (_, force)) in forces.iter().enumerate() {
+        write(s, &Formula::vector(&format!("F_{}", k + 1)).equals(along_axes(of, force)));
+    }
+    let sum = forces.iter().fold(Vector::zero(), |sum, (_, force)| sum + force);
     let total = Formula::vector("F");
     let index = Formula::named("alpha");
     let left = Formula::sum_over(index.clone(), total.index(index));

@@ -73,7 +73,8 @@ fn exercise_of(request: &Request, file: &Table<'_>) -> Result<Exercise, Failure>
     let is_symbolic = symbols.map_or(Ok(false), |value| value.boolean())?;
     if request.symbols && !is_symbolic {
         let hint = Some("leave out --symbols, or answer the template of the problem in symbols".to_owned());
-        let message = "the file answers the problem in numbers, and the problem in symbols is requested".to_owned();
+        let message =
+            "the file answers the problem in numbers, and the problem in symbols is requested".to_owned();
         return Err(file.error(FormatErrorKind::Subject { message, hint }).into());
     }
     let exercises = Exercises::of(name).ok_or_else(|| defect(name))?;
@@ -88,7 +89,10 @@ fn exercise_of(request: &Request, file: &Table<'_>) -> Result<Exercise, Failure>
 
 /// Returns the failure of a topic whose formulas are not valid, which tests exclude.
 pub(super) fn defect(topic: &str) -> Failure {
-    Failure::usage(format!("the topic {topic} has no exercise for this seed"), "report this defect, and try another seed")
+    Failure::usage(
+        format!("the topic {topic} has no exercise for this seed"),
+        "report this defect, and try another seed",
+    )
 }
 
 fn read_elements(elements: &[Entry<'_>], exercise: &Exercise) -> Result<Answer, FormatError> {

@@ -65,14 +65,19 @@ impl Exercise {
         for (question, (right, wrong)) in self.questions() {
             let number = sections.len() as u8 + 1;
             let name = question.name(self.is_symbolic);
-            let mut section = Section::new(number, &format!("{name}: {}", question.meaning(self.is_symbolic)));
+            let mut section =
+                Section::new(number, &format!("{name}: {}", question.meaning(self.is_symbolic)));
             self.formulas(&mut section, question);
             if let Value::Numbers(numbers) = right {
                 result(&mut section, self.letter(question), numbers, question);
             }
-            let rows: Vec<_> = wrong.iter().map(|(value, why)| vec![(*why).to_owned(), self.shown(value, question)]).collect();
-            if !rows.is_empty() {
-                section.table(&["Frequent mistake", "Wrong value"], rows);
+            for (value, why) in wrong {
+                // Six formulas are not easier to compare than the reason.
+                let is_long = self.is_symbolic && question.right.len() > 1;
+                section.say(match is_long {
+                    true => format!("A frequent mistake: {why}."),
+                    false => format!("If you found {}: {why}.", self.shown(value, question)),
+                });
             }
             sections.push(section);
         }
@@ -86,7 +91,11 @@ impl Exercise {
             true => given.text.clone(),
             false => {
                 let (number, unit) = given.text.split_once(' ').unwrap_or((&given.text, ""));
-                format!("{} = {}", self.prepared.symbols.notation(given.symbol).to_text(), quantity(number, unit))
+                format!(
+                    "{} = {}",
+                    self.prepared.symbols.notation(given.symbol).to_text(),
+                    quantity(number, unit)
+                )
             }
         })
     }
@@ -127,7 +136,9 @@ impl Exercise {
             let left = match question.question.form {
                 Form::Square(_) => letter.clone().squared(),
                 Form::Tangent(_) => letter.clone().applied("tan"),
-                Form::SquaredTangent(_) => letter.clone().applied("tan").grouped(polhode_algebra::Fence::Parentheses).squared(),
+                Form::SquaredTangent(_) => {
+                    letter.clone().applied("tan").grouped(polhode_algebra::Fence::Parentheses).squared()
+                }
                 Form::Plain | Form::Axis => self.component(&letter, question, k),
             };
             let formula = left.equals(right.to_formula(&self.prepared.symbols));

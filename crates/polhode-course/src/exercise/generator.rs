@@ -8,9 +8,9 @@ pub(super) struct Generator(u64);
 impl Generator {
     pub(super) fn new(topic: &str, seed: u64) -> Self {
         // The FNV-1a hash of the name.
-        let name = topic
-            .bytes()
-            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
+        let name = topic.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+        });
         let mut generator = Self(seed);
         Self(generator.next() ^ name)
     }

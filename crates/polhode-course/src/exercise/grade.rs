@@ -36,7 +36,9 @@ impl Exercise {
         let value = match answer {
             Answer::Missing => return Grade::Missing,
             Answer::NoFormula => {
-                return Grade::Wrong(Some("a formula in the symbols of the problem is required, not a quantity".to_owned()));
+                return Grade::Wrong(Some(
+                    "a formula in the symbols of the problem is required, not a quantity".to_owned(),
+                ));
             }
             Answer::Formulas(formulas) => match six(formulas) {
                 Some(formulas) => Value::Formulas(formulas),
@@ -56,7 +58,8 @@ impl Exercise {
         if right.is_met_by(&value, form) {
             return Grade::Right;
         }
-        let known = wrong.iter().find(|(other, _)| other.is_met_by(&value, form)).map(|(_, why)| (*why).to_owned());
+        let known =
+            wrong.iter().find(|(other, _)| other.is_met_by(&value, form)).map(|(_, why)| (*why).to_owned());
         Grade::Wrong(known.or_else(|| self.general(question, right, &value)))
     }
 
@@ -92,7 +95,9 @@ impl Exercise {
         let absent = right.iter().find(|symbol| !answer.contains(symbol));
         let extra = answer.iter().find(|symbol| !right.contains(symbol));
         absent
-            .map(|&s| format!("{} does not occur: if a number was inserted for it, write the symbol", name(s)))
+            .map(|&s| {
+                format!("{} does not occur: if a number was inserted for it, write the symbol", name(s))
+            })
             .or_else(|| extra.map(|&s| format!("the result does not depend on {}", name(s))))
     }
 }
@@ -127,7 +132,9 @@ fn wrong_unit(question: &PreparedQuestion, numbers: &[(f64, Dimension)]) -> Opti
             // 0 has no unit.
             true if value == 0.0 => None,
             true => Some(format!("the unit is missing: write it after the number, such as {unit}")),
-            false if required == Dimension::NONE => Some(format!("the unit is of {found}, but the result is a plain number")),
+            false if required == Dimension::NONE => {
+                Some(format!("the unit is of {found}, but the result is a plain number"))
+            }
             false => Some(format!("the unit is of {found}, but the result is {required}")),
         }
     })
@@ -160,7 +167,8 @@ fn components(right: &[f64], answer: &[f64], form: Form) -> Option<String> {
     let is_near = |a: f64, b: f64| (a - b).abs() <= limit;
     let pairs = || names.iter().zip(right).zip(answer);
     let list = |names: Vec<&str>| names.join(", ");
-    let wrong: Vec<&str> = pairs().filter(|&((_, &a), &b)| !is_near(a, b)).map(|((name, _), _)| *name).collect();
+    let wrong: Vec<&str> =
+        pairs().filter(|&((_, &a), &b)| !is_near(a, b)).map(|((name, _), _)| *name).collect();
     if pairs().all(|((_, &a), &b)| is_near(a.abs(), b.abs())) {
         return Some(format!("the sign is reversed in: {}", list(wrong)));
     }

@@ -16,16 +16,8 @@ const CLEAR: f64 = 0.03;
 const READABLE: core::ops::Range<f64> = 1e-3..1e5;
 
 /// Angles with rational sine and cosine: cosine, sine and their common denominator.
-const TRIPLES: [[u8; 3]; 8] = [
-    [3, 4, 5],
-    [4, 3, 5],
-    [5, 12, 13],
-    [12, 5, 13],
-    [8, 15, 17],
-    [15, 8, 17],
-    [20, 21, 29],
-    [21, 20, 29],
-];
+const TRIPLES: [[u8; 3]; 8] =
+    [[3, 4, 5], [4, 3, 5], [5, 12, 13], [12, 5, 13], [8, 15, 17], [15, 8, 17], [20, 21, 29], [21, 20, 29]];
 
 /// Topic with its formulas read.
 #[derive(Debug)]
@@ -87,7 +79,10 @@ impl Prepared {
         // The answers of students know the given symbols only, which come first.
         data().filter(|d| is_given(d)).try_for_each(|d| symbols.declare(d.symbol, kind(d)).map(drop)).ok()?;
         let stated = symbols.clone();
-        data().filter(|d| !is_given(d)).try_for_each(|d| symbols.declare(d.symbol, kind(d)).map(drop)).ok()?;
+        data()
+            .filter(|d| !is_given(d))
+            .try_for_each(|d| symbols.declare(d.symbol, kind(d)).map(drop))
+            .ok()?;
         let read = |text: &&str| parse(text, &symbols).ok();
         let data = data().map(|datum| {
             let formula = match datum.origin {
@@ -159,8 +154,9 @@ impl Prepared {
         })
     }
 
+    /// Draws the data; `None` if two drawn sizes are equal.
     fn data_of(&self, generator: &mut Generator) -> Option<Vec<Given>> {
-        let mut data = Vec::new();
+        let mut data: Vec<Given> = Vec::new();
         for PreparedDatum { datum, symbol, formula } in &self.data {
             let given = |value: f64, text: String| Given { symbol: *symbol, value, text };
             let quantity = |number: &str| {
@@ -168,7 +164,11 @@ impl Prepared {
                 Some(given(measured(text.trim()).ok()?.0, text.trim().to_owned()))
             };
             data.push(match datum.origin {
-                Origin::Drawn(range) => quantity(&decimal(range, generator))?,
+                Origin::Drawn(range) => {
+                    let drawn = quantity(&decimal(range, generator))?;
+                    let size = |text: &str| text.trim_start_matches('-').to_owned();
+                    data.iter().all(|other| size(&other.text) != size(&drawn.text)).then_some(drawn)?
+                }
                 Origin::Fixed(number) => quantity(number)?,
                 Origin::Hidden(range) => given(decimal(range, generator).parse().ok()?, String::new()),
                 Origin::Sign => given(if generator.below(2) == 0 { 1.0 } else { -1.0 }, String::new()),
@@ -311,7 +311,9 @@ fn changed(formula: &RationalFunction, values: &[(Symbol, RationalFunction)]) ->
     formula.replaced(&|variable| match variable {
         Variable::Symbol(symbol) => Some(of(symbol).cloned().unwrap_or_else(|| symbol.into())),
         Variable::Sine(symbol) => of(symbol).map_or(Some(variable.into()), |v| Some(Angle::new(v)?.sine())),
-        Variable::Cosine(symbol) => of(symbol).map_or(Some(variable.into()), |v| Some(Angle::new(v)?.cosine())),
+        Variable::Cosine(symbol) => {
+            of(symbol).map_or(Some(variable.into()), |v| Some(Angle::new(v)?.cosine()))
+        }
         Variable::Root(_) => Some(variable.into()),
     })
 }

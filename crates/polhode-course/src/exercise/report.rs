@@ -42,7 +42,9 @@ impl Report for ExerciseReport {
                 json!({ "polhode": VERSION, "topics": topics.iter().map(topic).collect::<Json>() })
             }
             Self::Exercise { exercise, solution } => exercise_json(exercise, solution.is_some(), None),
-            Self::Graded { exercise, grades, has_solution } => exercise_json(exercise, *has_solution, Some(grades)),
+            Self::Graded { exercise, grades, has_solution } => {
+                exercise_json(exercise, *has_solution, Some(grades))
+            }
         }
     }
 
@@ -98,7 +100,9 @@ fn card(exercise: &Exercise, grades: &[Grade]) -> Document {
     let line = match (right, grades.len()) {
         (1, 1) => "The answer is right".to_owned(),
         (all, count) if all == count => format!("All {count} answers are right"),
-        (right, count) => format!("{right} of {count} answers {} right", if right == 1 { "is" } else { "are" }),
+        (right, count) => {
+            format!("{right} of {count} answers {} right", if right == 1 { "is" } else { "are" })
+        }
     };
     let level = if right == grades.len() { Level::Ok } else { Level::Failure };
     let mut section = Section::new(1, "Grades");
@@ -121,7 +125,9 @@ fn card(exercise: &Exercise, grades: &[Grade]) -> Document {
 fn words(grade: &Grade) -> [&str; 2] {
     match grade {
         Grade::Right => ["right", ""],
-        Grade::Wrong(reason) => ["wrong", reason.as_deref().unwrap_or("no frequent mistake gives this value")],
+        Grade::Wrong(reason) => {
+            ["wrong", reason.as_deref().unwrap_or("no frequent mistake gives this value")]
+        }
         Grade::WrongUnit(reason) => ["wrong unit", reason],
         Grade::Missing => ["missing", ""],
     }

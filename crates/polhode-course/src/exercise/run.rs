@@ -31,9 +31,10 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<ExerciseReport, Failu
             (request.solution.is_some(), "--solution"),
         ];
         return match unused.iter().find(|(is_given, _)| *is_given) {
-            Some((_, option)) => {
-                Err(Failure::usage(format!("{option} requires a topic"), "all topics are listed without options"))
-            }
+            Some((_, option)) => Err(Failure::usage(
+                format!("{option} requires a topic"),
+                "all topics are listed without options",
+            )),
             None => topics()
                 .map(|topic| Exercises::of(topic).ok_or_else(|| defect(topic)))
                 .collect::<Result<_, _>>()

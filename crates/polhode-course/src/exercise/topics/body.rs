@@ -23,8 +23,12 @@ pub(super) const TOPICS: [Topic; 3] = [
         ]],
         rules: &[],
         steps: &[
-            Step::Say("Tensors about the same point are added. The box has M (b² + c²)/12 and no products about its centre."),
-            Step::Say("The ball has 2/5 m₂ (D/2)² = m₂ D²/10 about its centre, and the shift m₂ (d² δij − di dj) to the origin."),
+            Step::Say(
+                "Tensors about the same point are added. The box has M (b² + c²)/12 and no products about its centre.",
+            ),
+            Step::Say(
+                "The ball has 2/5 m₂ (D/2)² = m₂ D²/10 about its centre, and the shift m₂ (d² δij − di dj) to the origin.",
+            ),
         ],
         questions: &[Question {
             name: "I",
@@ -46,7 +50,10 @@ pub(super) const TOPICS: [Topic; 3] = [
                     "the shift of the ball to the origin is missing",
                 ),
                 Mistake(Wrong::With(&[("D", "2*D")]), "the diameter of the ball is taken for its radius"),
-                Mistake(Wrong::With(&[("D", "0")]), "the ball is treated as a particle: its own 2/5 m r² is missing"),
+                Mistake(
+                    Wrong::With(&[("D", "0")]),
+                    "the ball is treated as a particle: its own 2/5 m r² is missing",
+                ),
                 Mistake(
                     Wrong::With(&[("a", "2*a"), ("b", "2*b"), ("c", "2*c")]),
                     "the box has M (b² + c²)/12 about its centre; M/3 belongs to an edge",
@@ -68,7 +75,9 @@ pub(super) const TOPICS: [Topic; 3] = [
         ]],
         rules: &[],
         steps: &[
-            Step::Say("A rod has m l²/3 about its end. A disk has M (D/2)²/2 = M D²/8 about its own axis, and the shift M l²."),
+            Step::Say(
+                "A rod has m l²/3 about its end. A disk has M (D/2)²/2 = M D²/8 about its own axis, and the shift M l².",
+            ),
             Step::Say("The centre of mass is the mean of l/2 and l with the masses as weights."),
         ],
         questions: &[
@@ -79,11 +88,20 @@ pub(super) const TOPICS: [Topic; 3] = [
                 form: Form::Plain,
                 right: &["m*l^2/3 + M*D^2/8 + M*l^2"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["m*l^2/3 + M*D^2/8"]), "the shift of the disk to the axis is missing"),
+                    Mistake(
+                        Wrong::Is(&["m*l^2/3 + M*D^2/8"]),
+                        "the shift of the disk to the axis is missing",
+                    ),
                     Mistake(Wrong::Is(&["m*l^2/3 + M*D^2/8 - M*l^2"]), "the shift of the disk is subtracted"),
-                    Mistake(Wrong::Is(&["m*l^2/12 + M*D^2/8 + M*l^2"]), "the rod has m l²/12 only about its centre"),
+                    Mistake(
+                        Wrong::Is(&["m*l^2/12 + M*D^2/8 + M*l^2"]),
+                        "the rod has m l²/12 only about its centre",
+                    ),
                     Mistake(Wrong::With(&[("D", "2*D")]), "the diameter of the disk is taken for its radius"),
-                    Mistake(Wrong::Is(&["m*l^2/3 + M*D^2/16 + M*l^2"]), "M r²/4 is the moment of a disk about its diameter"),
+                    Mistake(
+                        Wrong::Is(&["m*l^2/3 + M*D^2/16 + M*l^2"]),
+                        "M r²/4 is the moment of a disk about its diameter",
+                    ),
                 ],
             },
             Question {
@@ -108,7 +126,9 @@ pub(super) const TOPICS: [Topic; 3] = [
         data: &[&MOMENTS, &[triple("phi")]],
         rules: &["(I_1 - I_2)^2/(I_1 + I_2)^2 - 1/50"],
         steps: &[
-            Step::Say("The tensor along x, y, z is {I} = R diag(I₁, I₂, I₃) Rᵀ. The columns of R are the axes 1, 2, 3 = (cos φ, sin φ, 0), (−sin φ, cos φ, 0), (0, 0, 1)."),
+            Step::Say(
+                "The tensor along x, y, z is {I} = R diag(I₁, I₂, I₃) Rᵀ. The columns of R are the axes 1, 2, 3 = (cos φ, sin φ, 0), (−sin φ, cos φ, 0), (0, 0, 1).",
+            ),
             Step::Say("Check: the trace I_xx + I_yy = I₁ + I₂ is conserved."),
         ],
         questions: &[
@@ -119,8 +139,14 @@ pub(super) const TOPICS: [Topic; 3] = [
                 form: Form::Plain,
                 right: &["I_1*cos(phi)^2 + I_2*sin(phi)^2"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["I_1*sin(phi)^2 + I_2*cos(phi)^2"]), "sine and cosine are interchanged, or the axes x and y"),
-                    Mistake(Wrong::Is(&["I_1*cos(phi) + I_2*sin(phi)"]), "a tensor needs the rotation twice: squares of sine and cosine"),
+                    Mistake(
+                        Wrong::Is(&["I_1*sin(phi)^2 + I_2*cos(phi)^2"]),
+                        "sine and cosine are interchanged, or the axes x and y",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["I_1*cos(phi) + I_2*sin(phi)"]),
+                        "a tensor needs the rotation twice: squares of sine and cosine",
+                    ),
                     Mistake(Wrong::Is(&["I_1"]), "this is the moment about the body axis 1"),
                 ],
             },
@@ -131,8 +157,14 @@ pub(super) const TOPICS: [Topic; 3] = [
                 form: Form::Plain,
                 right: &["I_1*sin(phi)^2 + I_2*cos(phi)^2"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["I_1*cos(phi)^2 + I_2*sin(phi)^2"]), "sine and cosine are interchanged, or the axes x and y"),
-                    Mistake(Wrong::Is(&["I_2*cos(phi) - I_1*sin(phi)"]), "a tensor needs the rotation twice: squares of sine and cosine"),
+                    Mistake(
+                        Wrong::Is(&["I_1*cos(phi)^2 + I_2*sin(phi)^2"]),
+                        "sine and cosine are interchanged, or the axes x and y",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["I_2*cos(phi) - I_1*sin(phi)"]),
+                        "a tensor needs the rotation twice: squares of sine and cosine",
+                    ),
                     Mistake(Wrong::Is(&["I_2"]), "this is the moment about the body axis 2"),
                 ],
             },
@@ -147,8 +179,14 @@ pub(super) const TOPICS: [Topic; 3] = [
                         Wrong::With(&[("phi", "-phi")]),
                         "the sign is reversed: the rotation is transposed, or the sign of the product",
                     ),
-                    Mistake(Wrong::Is(&["(I_1 + I_2)*sin(phi)*cos(phi)"]), "axis 2 has the components −sin φ and cos φ: the terms have opposite signs"),
-                    Mistake(Wrong::Is(&["(I_1 - I_2)*2*sin(phi)*cos(phi)"]), "sin φ cos φ is sin 2φ/2: a factor 2 is too much"),
+                    Mistake(
+                        Wrong::Is(&["(I_1 + I_2)*sin(phi)*cos(phi)"]),
+                        "axis 2 has the components −sin φ and cos φ: the terms have opposite signs",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["(I_1 - I_2)*2*sin(phi)*cos(phi)"]),
+                        "sin φ cos φ is sin 2φ/2: a factor 2 is too much",
+                    ),
                 ],
             },
         ],

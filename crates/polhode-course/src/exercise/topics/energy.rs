@@ -74,11 +74,16 @@ pub(super) const TOPICS: [Topic; 5] = [
             is: "kinetic energy",
             unit: "J",
             form: Form::Plain,
-            right: &["(I_xx*omega_x^2 + I_yy*omega_y^2 + I_zz*omega_z^2)/2 + I_xy*omega_x*omega_y + I_xz*omega_x*omega_z + I_yz*omega_y*omega_z"],
+            right: &[
+                "(I_xx*omega_x^2 + I_yy*omega_y^2 + I_zz*omega_z^2)/2 + I_xy*omega_x*omega_y + I_xz*omega_x*omega_z + I_yz*omega_y*omega_z",
+            ],
             mistakes: &[
                 Mistake(Wrong::Times("2"), "the factor ½ is forgotten"),
                 Mistake(Wrong::With(REVERSED), "this is the value with the sign of the products reversed"),
-                Mistake(Wrong::With(DIAGONAL), "the products of inertia are missing: ½ Σ I ω² holds along principal axes only"),
+                Mistake(
+                    Wrong::With(DIAGONAL),
+                    "the products of inertia are missing: ½ Σ I ω² holds along principal axes only",
+                ),
                 Mistake(Wrong::With(HALVED), "each product counts twice in the double sum: I_xy and I_yx"),
             ],
         }],
@@ -98,7 +103,9 @@ pub(super) const TOPICS: [Topic; 5] = [
         ],
         rules: &[],
         steps: &[
-            Step::Say("L = (I₁ ω₁, I₂ ω₂, I₃ ω₃), and tan φ = |ω × L|/(ω · L). The angle is below 90°, because ω · L = 2 T > 0."),
+            Step::Say(
+                "L = (I₁ ω₁, I₂ ω₂, I₃ ω₃), and tan φ = |ω × L|/(ω · L). The angle is below 90°, because ω · L = 2 T > 0.",
+            ),
             Step::Say("The components of ω × L are (I₃ − I₂) ω₂ ω₃, (I₁ − I₃) ω₃ ω₁ and (I₂ − I₁) ω₁ ω₂."),
         ],
         questions: &[Question {
@@ -106,16 +113,17 @@ pub(super) const TOPICS: [Topic; 5] = [
             is: "angle between ω and L",
             unit: "deg",
             form: Form::SquaredTangent("tan_squared_phi"),
-            right: &["(((I_3 - I_2)*omega_2*omega_3)^2 + ((I_1 - I_3)*omega_3*omega_1)^2 + ((I_2 - I_1)*omega_1*omega_2)^2)/(I_1*omega_1^2 + I_2*omega_2^2 + I_3*omega_3^2)^2"],
+            right: &[
+                "(((I_3 - I_2)*omega_2*omega_3)^2 + ((I_1 - I_3)*omega_3*omega_1)^2 + ((I_2 - I_1)*omega_1*omega_2)^2)/(I_1*omega_1^2 + I_2*omega_2^2 + I_3*omega_3^2)^2",
+            ],
             mistakes: &[
                 Mistake(
-                    Wrong::Is(&["(I_1*omega_1^2 + I_2*omega_2^2 + I_3*omega_3^2)^2/(((I_3 - I_2)*omega_2*omega_3)^2 + ((I_1 - I_3)*omega_3*omega_1)^2 + ((I_2 - I_1)*omega_1*omega_2)^2)"]),
+                    Wrong::Is(&[
+                        "(I_1*omega_1^2 + I_2*omega_2^2 + I_3*omega_3^2)^2/(((I_3 - I_2)*omega_2*omega_3)^2 + ((I_1 - I_3)*omega_3*omega_1)^2 + ((I_2 - I_1)*omega_1*omega_2)^2)",
+                    ]),
                     "this is the complement to 90°: sine and cosine are interchanged",
                 ),
-                Mistake(
-                    Wrong::Times("4"),
-                    "ω · L is twice the kinetic energy",
-                ),
+                Mistake(Wrong::Times("4"), "ω · L is twice the kinetic energy"),
             ],
         }],
     },
@@ -133,7 +141,9 @@ pub(super) const TOPICS: [Topic; 5] = [
         ]],
         rules: &["2*I_1 - p", "p - I_1/5"],
         steps: &[
-            Step::Say("L is constant: L = I₁ n = I₃ ω. The energy is L²/(2 I), which is smallest for the largest moment."),
+            Step::Say(
+                "L is constant: L = I₁ n = I₃ ω. The energy is L²/(2 I), which is smallest for the largest moment.",
+            ),
             Step::Say("Convert n first: 1 rpm = 2π/60 rad/s."),
         ],
         questions: &[
@@ -144,7 +154,10 @@ pub(super) const TOPICS: [Topic; 5] = [
                 form: Form::Plain,
                 right: &["I_1*n/I_3"],
                 mistakes: &[
-                    Mistake(Wrong::With(&[("I_1", "I_3"), ("I_3", "I_1")]), "the moments are interchanged: the body turns slower in the end"),
+                    Mistake(
+                        Wrong::With(&[("I_1", "I_3"), ("I_3", "I_1")]),
+                        "the moments are interchanged: the body turns slower in the end",
+                    ),
                     Mistake(Wrong::With(&[("n", "n*30/π")]), RPM),
                     Mistake(Wrong::With(&[("n", "n/(2*π)")]), HERTZ),
                     Mistake(Wrong::Is(&["n"]), "ω is not conserved, but L"),
@@ -157,7 +170,10 @@ pub(super) const TOPICS: [Topic; 5] = [
                 form: Form::Plain,
                 right: &["I_1^2*n^2*(1/I_1 - 1/I_3)/2"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["(I_3 - I_1)*n^2/2"]), "ω is not conserved, but L: compare L²/(2 I₁) with L²/(2 I₃)"),
+                    Mistake(
+                        Wrong::Is(&["(I_3 - I_1)*n^2/2"]),
+                        "ω is not conserved, but L: compare L²/(2 I₁) with L²/(2 I₃)",
+                    ),
                     Mistake(Wrong::Times("2"), "the factor ½ is forgotten"),
                     Mistake(Wrong::Times("-1"), "the energy lost is the first energy minus the last one"),
                     Mistake(Wrong::With(&[("n", "n*30/π")]), RPM),

@@ -26,7 +26,9 @@ pub(super) const TOPICS: [Topic; 4] = [
         ],
         rules: &[],
         steps: &[
-            Step::Say("Euler's equation for axis 1 is N₁ = I₁ ω̇₁ − (I₂ − I₃) ω₂ ω₃. The others follow by cyclic permutation."),
+            Step::Say(
+                "Euler's equation for axis 1 is N₁ = I₁ ω̇₁ − (I₂ − I₃) ω₂ ω₃. The others follow by cyclic permutation.",
+            ),
             Step::Say("Solve each for ω̇."),
         ],
         questions: &[Question {
@@ -56,10 +58,7 @@ pub(super) const TOPICS: [Topic; 4] = [
                     Wrong::Is(&["N_1/I_1", "N_2/I_2", "N_3/I_3"]),
                     "the term ω × L is missing: the axes rotate with the body",
                 ),
-                Mistake(
-                    Wrong::With(&[("N_1", "0"), ("N_2", "0"), ("N_3", "0")]),
-                    "the torque is missing",
-                ),
+                Mistake(Wrong::With(&[("N_1", "0"), ("N_2", "0"), ("N_3", "0")]), "the torque is missing"),
                 Mistake(
                     Wrong::Is(&[
                         "(N_1 + (I_3 - I_1)*omega_2*omega_3)/I_1",
@@ -142,7 +141,9 @@ pub(super) const TOPICS: [Topic; 4] = [
         ]],
         rules: &["(sin(alpha) - cos(alpha))^2 - 1/100"],
         steps: &[
-            Step::Say("Principal moments: I₁ = I₂ = (m₁ + m₂) b² and I₃ = 0, because both masses are on the z axis."),
+            Step::Say(
+                "Principal moments: I₁ = I₂ = (m₁ + m₂) b² and I₃ = 0, because both masses are on the z axis.",
+            ),
             Step::Say("With ω̇ = 0 Euler's first equation is N_x = −(I₂ − I₃) ω₂ ω₃."),
         ],
         questions: &[Question {
@@ -157,9 +158,15 @@ pub(super) const TOPICS: [Topic; 4] = [
                 Mistake(Wrong::With(&[("omega", "omega*30/π")]), RPM),
                 Mistake(Wrong::With(&[("omega", "omega/(2*π)")]), HERTZ),
                 Mistake(Wrong::Is(&["-(m_1 + m_2)*b^2*omega^2*sin(alpha)^2"]), "ω₃ is ω cos α, not ω sin α"),
-                Mistake(Wrong::Is(&["-(m_1 + m_2)*b^2*omega^2"]), "ω has the components ω sin α and ω cos α along the body axes"),
+                Mistake(
+                    Wrong::Is(&["-(m_1 + m_2)*b^2*omega^2"]),
+                    "ω has the components ω sin α and ω cos α along the body axes",
+                ),
                 Mistake(Wrong::Times("1/4"), "b is the distance from O, not the length of the rod"),
-                Mistake(Wrong::Is(&["-(m_1 - m_2)*b^2*omega^2*sin(alpha)*cos(alpha)"]), "both masses contribute with the same sign, as (−b)² = b²"),
+                Mistake(
+                    Wrong::Is(&["-(m_1 - m_2)*b^2*omega^2*sin(alpha)*cos(alpha)"]),
+                    "both masses contribute with the same sign, as (−b)² = b²",
+                ),
             ],
         }],
     },
@@ -179,7 +186,9 @@ pub(super) const TOPICS: [Topic; 4] = [
         rules: &["(sin(alpha) - cos(alpha))^2 - 1/100", "(m_1 - m_2)^2/m_1^2 - 1/50"],
         steps: &[
             Step::Say("Each mass moves in a circle of radius b sin α: F = m ω² b sin α, towards the axis."),
-            Step::Say("The component along the rod exerts no torque about O. The perpendicular one, F cos α, gives N = Σ b F cos α."),
+            Step::Say(
+                "The component along the rod exerts no torque about O. The perpendicular one, F cos α, gives N = Σ b F cos α.",
+            ),
         ],
         questions: &[
             Question {
@@ -190,7 +199,10 @@ pub(super) const TOPICS: [Topic; 4] = [
                 right: &["m_1*b*omega^2*sin(alpha)"],
                 mistakes: &[
                     Mistake(Wrong::Is(&["m_1*b*omega^2"]), "the radius of the circle is b sin α, not b"),
-                    Mistake(Wrong::Is(&["m_1*b*omega^2*cos(alpha)"]), "the radius of the circle is b sin α: α is the angle between rod and axis"),
+                    Mistake(
+                        Wrong::Is(&["m_1*b*omega^2*cos(alpha)"]),
+                        "the radius of the circle is b sin α: α is the angle between rod and axis",
+                    ),
                     Mistake(Wrong::Is(&["m_2*b*omega^2*sin(alpha)"]), "the masses are interchanged"),
                     Mistake(Wrong::With(&[("alpha", "alpha*180/π")]), RADIANS),
                     Mistake(Wrong::With(&[("omega", "omega*30/π")]), RPM),
@@ -205,7 +217,10 @@ pub(super) const TOPICS: [Topic; 4] = [
                 right: &["m_2*b*omega^2*sin(alpha)"],
                 mistakes: &[
                     Mistake(Wrong::Is(&["m_2*b*omega^2"]), "the radius of the circle is b sin α, not b"),
-                    Mistake(Wrong::Is(&["m_2*b*omega^2*cos(alpha)"]), "the radius of the circle is b sin α: α is the angle between rod and axis"),
+                    Mistake(
+                        Wrong::Is(&["m_2*b*omega^2*cos(alpha)"]),
+                        "the radius of the circle is b sin α: α is the angle between rod and axis",
+                    ),
                     Mistake(Wrong::Is(&["m_1*b*omega^2*sin(alpha)"]), "the masses are interchanged"),
                     Mistake(Wrong::With(&[("alpha", "alpha*180/π")]), RADIANS),
                     Mistake(Wrong::With(&[("omega", "omega*30/π")]), RPM),
@@ -220,8 +235,14 @@ pub(super) const TOPICS: [Topic; 4] = [
                 right: &["m_1*b*omega^2*sin(alpha)*cos(alpha)"],
                 mistakes: &[
                     Mistake(Wrong::Is(&["m_1*b*omega^2*sin(alpha)"]), "this is the whole force"),
-                    Mistake(Wrong::Is(&["m_1*b*omega^2*sin(alpha)^2"]), "this is the component along the rod"),
-                    Mistake(Wrong::Is(&["m_2*b*omega^2*sin(alpha)*cos(alpha)"]), "the masses are interchanged"),
+                    Mistake(
+                        Wrong::Is(&["m_1*b*omega^2*sin(alpha)^2"]),
+                        "this is the component along the rod",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["m_2*b*omega^2*sin(alpha)*cos(alpha)"]),
+                        "the masses are interchanged",
+                    ),
                     Mistake(Wrong::With(&[("alpha", "alpha*180/π")]), RADIANS),
                     Mistake(Wrong::With(&[("omega", "omega*30/π")]), RPM),
                 ],

@@ -1,6 +1,8 @@
 //! Principal moments and axes.
 
-use super::super::topic::{Datum, Form, Mistake, Question, Step, Topic, Wrong, computed, drawn, hidden, sign, signed};
+use super::super::topic::{
+    Datum, Form, Mistake, Question, Step, Topic, Wrong, computed, drawn, hidden, sign, signed,
+};
 
 /// Tensor with the principal moments 9 a < 9 b < 9 c along the axes (2 s, 2 t, −1)/3, (−s, 2 t, 2)/3
 /// and (2 s, −t, 2)/3, so that its eigenvalues and eigenvectors are rational.
@@ -42,7 +44,9 @@ pub(super) const TOPICS: [Topic; 3] = [
         data: &[&ROTATED],
         rules: &ORDER,
         steps: &[
-            Step::Say("The principal moments are the roots of |{I} − λ 1| = λ³ − S λ² + K λ − D = 0, with the sign reversed."),
+            Step::Say(
+                "The principal moments are the roots of |{I} − λ 1| = 0, which is λ³ − S λ² + K λ − D = 0 with",
+            ),
             Step::Show("S", "I_xx + I_yy + I_zz", "kg m^2"),
             Step::Show("K", "I_xx*I_yy + I_xx*I_zz + I_yy*I_zz - I_xy^2 - I_xz^2 - I_yz^2", "kg^2 m^4"),
             Step::Show(
@@ -50,7 +54,9 @@ pub(super) const TOPICS: [Topic; 3] = [
                 "I_xx*I_yy*I_zz + 2*I_xy*I_xz*I_yz - I_xx*I_yz^2 - I_yy*I_xz^2 - I_zz*I_xy^2",
                 "kg^3 m^6",
             ),
-            Step::Say("Check: their sum is S and their product is D, and none is larger than the sum of the others."),
+            Step::Say(
+                "Check: their sum is S and their product is D, and none is larger than the sum of the others.",
+            ),
         ],
         questions: &[
             Question {
@@ -104,7 +110,9 @@ pub(super) const TOPICS: [Topic; 3] = [
         ],
         rules: &ORDER,
         steps: &[
-            Step::Say("For each root solve ({I} − λ 1) e = 0. The three equations are dependent: two of them give the ratios of the components."),
+            Step::Say(
+                "For each root solve ({I} − λ 1) e = 0. The three equations are dependent: two of them give the ratios of the components.",
+            ),
             Step::Say("The vector product of two rows of {I} − λ 1 is such a vector. Check: e₁ · e₃ = 0."),
         ],
         questions: &[
@@ -151,7 +159,9 @@ pub(super) const TOPICS: [Topic; 3] = [
         ]],
         rules: &["(I_xx - I_yy)^2 - I_xx*I_yy/20", "I_xx*I_yy - 2*I_xy^2"],
         steps: &[
-            Step::Say("Rotated by θ, the product becomes I_xy cos 2θ − (I_xx − I_yy) sin 2θ/2, which is zero along principal axes."),
+            Step::Say(
+                "Rotated by θ, the product becomes I_xy cos 2θ − (I_xx − I_yy) sin 2θ/2, which is zero along principal axes.",
+            ),
             Step::Say("The roots of λ² − (I_xx + I_yy) λ + I_xx I_yy − I_xy² = 0 are (I_xx + I_yy)/2 ± Δ/2."),
         ],
         questions: &[
@@ -162,9 +172,15 @@ pub(super) const TOPICS: [Topic; 3] = [
                 form: Form::Plain,
                 right: &["2*I_xy/(I_xx - I_yy)"],
                 mistakes: &[
-                    Mistake(Wrong::With(&[("I_xy", "-I_xy")]), "the sign of the product of inertia is reversed"),
+                    Mistake(
+                        Wrong::With(&[("I_xy", "-I_xy")]),
+                        "the sign of the product of inertia is reversed",
+                    ),
                     Mistake(Wrong::Times("1/2"), "the product of inertia counts twice: I_xy and I_yx"),
-                    Mistake(Wrong::Is(&["2*I_xy/(I_xx + I_yy)"]), "the denominator is the difference of the moments"),
+                    Mistake(
+                        Wrong::Is(&["2*I_xy/(I_xx + I_yy)"]),
+                        "the denominator is the difference of the moments",
+                    ),
                     Mistake(Wrong::Is(&["(I_xx - I_yy)/(2*I_xy)"]), "this is the cotangent"),
                 ],
             },
@@ -176,7 +192,10 @@ pub(super) const TOPICS: [Topic; 3] = [
                 right: &["(I_xx - I_yy)^2 + 4*I_xy^2"],
                 mistakes: &[
                     Mistake(Wrong::Is(&["(I_xx - I_yy)^2"]), "the product of inertia is missing"),
-                    Mistake(Wrong::Is(&["(I_xx - I_yy)^2 + I_xy^2"]), "the product of inertia counts twice: Δ² has 4 I_xy²"),
+                    Mistake(
+                        Wrong::Is(&["(I_xx - I_yy)^2 + I_xy^2"]),
+                        "the product of inertia counts twice: Δ² has 4 I_xy²",
+                    ),
                     Mistake(Wrong::Times("1/4"), "this is Δ/2: the moments are at the mean ± Δ/2"),
                 ],
             },

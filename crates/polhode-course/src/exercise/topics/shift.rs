@@ -41,7 +41,10 @@ pub(super) const TOPICS: [Topic; 2] = [
                     Wrong::With(&[("M", "-M")]),
                     "the shift is subtracted: the tensor about the centre of mass is the smallest, so the shift from there is added",
                 ),
-                Mistake(Wrong::With(&[("M", "0")]), "the shift is missing: this is the tensor about the centre of mass"),
+                Mistake(
+                    Wrong::With(&[("M", "0")]),
+                    "the shift is missing: this is the tensor about the centre of mass",
+                ),
                 Mistake(
                     Wrong::Is(&[
                         "I_xx + M*(d_y^2 + d_z^2)",

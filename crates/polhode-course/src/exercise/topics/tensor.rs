@@ -1,8 +1,6 @@
 //! Inertia tensors from their definition.
 
-use super::super::topic::{
-    Form, Mistake, Question, Step, Topic, Wrong, computed, drawn, hidden, signed,
-};
+use super::super::topic::{Form, Mistake, Question, Step, Topic, Wrong, computed, drawn, hidden, signed};
 use super::TENSOR;
 
 const S_XX: &str = "m_1*x_1^2 + m_2*x_2^2 + m_3*x_3^2";
@@ -36,7 +34,9 @@ pub(super) const TOPICS: [Topic; 4] = [
         rules: &[],
         steps: &[
             Step::Say("The tensor is a sum over the particles, Iij = Σ m (δij r² − xi xj)."),
-            Step::Say("A moment of inertia has the squared distance from its axis: r² − x² = y² + z². A product of inertia has a minus sign."),
+            Step::Say(
+                "A moment of inertia has the squared distance from its axis: r² − x² = y² + z². A product of inertia has a minus sign.",
+            ),
         ],
         questions: &[Question {
             name: "I",
@@ -52,7 +52,10 @@ pub(super) const TOPICS: [Topic; 4] = [
                 P_YZ,
             ],
             mistakes: &[
-                Mistake(Wrong::Products, "the sign of the products of inertia is reversed: they are −Σ m x y"),
+                Mistake(
+                    Wrong::Products,
+                    "the sign of the products of inertia is reversed: they are −Σ m x y",
+                ),
                 Mistake(
                     Wrong::Is(&[S_XX, S_YY, S_ZZ, P_XY, P_XZ, P_YZ]),
                     "the moments contain the coordinate along their own axis: I_xx is Σ m (y² + z²), not Σ m x²",
@@ -62,7 +65,11 @@ pub(super) const TOPICS: [Topic; 4] = [
                     "the moments contain r²: subtract the square of the coordinate along their axis",
                 ),
                 Mistake(
-                    Wrong::With(&[("m_1", "(m_1 + m_2 + m_3)/3"), ("m_2", "(m_1 + m_2 + m_3)/3"), ("m_3", "(m_1 + m_2 + m_3)/3")]),
+                    Wrong::With(&[
+                        ("m_1", "(m_1 + m_2 + m_3)/3"),
+                        ("m_2", "(m_1 + m_2 + m_3)/3"),
+                        ("m_3", "(m_1 + m_2 + m_3)/3"),
+                    ]),
                     "each particle has its own mass, not the mean of all",
                 ),
             ],
@@ -82,26 +89,52 @@ pub(super) const TOPICS: [Topic; 4] = [
         rules: &["(a - b)^2/a^2 - 1/100", "(b - c)^2/b^2 - 1/100", "(c - a)^2/c^2 - 1/100"],
         steps: &[
             Step::Say("Iij = ∫ ρ (δij r² − xi xj) dV with ρ = M/(a b c)."),
-            Step::Say("∫₀ᵇ y² dy = b³/3 gives the terms of a moment. ∫₀ᵃ x dx ∫₀ᵇ y dy = a² b²/4 gives a product, with a minus sign."),
+            Step::Say(
+                "∫ y² dy = b³/3 gives the terms of a moment. ∫ x dx ∫ y dy = a² b²/4 gives a product, with a minus sign.",
+            ),
         ],
         questions: &[Question {
             name: "I",
             is: "inertia tensor about the corner",
             unit: "kg m^2",
             form: Form::Plain,
-            right: &["M*(b^2 + c^2)/3", "M*(a^2 + c^2)/3", "M*(a^2 + b^2)/3", "-M*a*b/4", "-M*a*c/4", "-M*b*c/4"],
+            right: &[
+                "M*(b^2 + c^2)/3",
+                "M*(a^2 + c^2)/3",
+                "M*(a^2 + b^2)/3",
+                "-M*a*b/4",
+                "-M*a*c/4",
+                "-M*b*c/4",
+            ],
             mistakes: &[
-                Mistake(Wrong::Products, "the sign of the products of inertia is reversed: they are −∫ x y dm"),
+                Mistake(
+                    Wrong::Products,
+                    "the sign of the products of inertia is reversed: they are −∫ x y dm",
+                ),
                 Mistake(
                     Wrong::Is(&["M*(b^2 + c^2)/12", "M*(a^2 + c^2)/12", "M*(a^2 + b^2)/12", "0", "0", "0"]),
                     "this is the tensor about the centre of mass: the shift to the corner is missing",
                 ),
                 Mistake(
-                    Wrong::Is(&["-M*(b^2 + c^2)/6", "-M*(a^2 + c^2)/6", "-M*(a^2 + b^2)/6", "M*a*b/4", "M*a*c/4", "M*b*c/4"]),
+                    Wrong::Is(&[
+                        "-M*(b^2 + c^2)/6",
+                        "-M*(a^2 + c^2)/6",
+                        "-M*(a^2 + b^2)/6",
+                        "M*a*b/4",
+                        "M*a*c/4",
+                        "M*b*c/4",
+                    ]),
                     "the shift from the centre of mass is subtracted: about any other point it is added",
                 ),
                 Mistake(
-                    Wrong::Is(&["M*(b^2 + c^2)*13/12", "M*(a^2 + c^2)*13/12", "M*(a^2 + b^2)*13/12", "-M*a*b", "-M*a*c", "-M*b*c"]),
+                    Wrong::Is(&[
+                        "M*(b^2 + c^2)*13/12",
+                        "M*(a^2 + c^2)*13/12",
+                        "M*(a^2 + b^2)*13/12",
+                        "-M*a*b",
+                        "-M*a*c",
+                        "-M*b*c",
+                    ]),
                     "the shift uses the whole edges: the centre of mass is half an edge from the corner",
                 ),
                 Mistake(
@@ -133,7 +166,9 @@ pub(super) const TOPICS: [Topic; 4] = [
         ]],
         rules: &[],
         steps: &[
-            Step::Say("The products of inertia of the tensor are I_xy = −∫ x y dm = −P_xy, and likewise for xz and yz."),
+            Step::Say(
+                "The products of inertia of the tensor are I_xy = −∫ x y dm = −P_xy, and likewise for xz and yz.",
+            ),
             Step::Say("L = {I} ω, row by row."),
         ],
         questions: &[Question {
@@ -167,18 +202,25 @@ pub(super) const TOPICS: [Topic; 4] = [
         title: "Moment of inertia about an inclined axis",
         text: "The inertia tensor of a body about the origin has the elements I_xx, I_yy, I_zz, I_xy, I_xz and I_yz. Find the \
                moment of inertia about the axis through the origin that has the direction (u, v, w), which is not a unit vector.",
-        data: &[&TENSOR, &[signed("u", "", 11, 49, 1), signed("v", "", 11, 49, 1), signed("w", "", 11, 49, 1)]],
+        data: &[
+            &TENSOR,
+            &[signed("u", "", 11, 49, 1), signed("v", "", 11, 49, 1), signed("w", "", 11, 49, 1)],
+        ],
         rules: &[],
         steps: &[
-            Step::Say("Along the unit vector n the moment of inertia is n · {I} · n, with n = (u, v, w)/√(u² + v² + w²)."),
+            Step::Say(
+                "Along the unit vector n the moment of inertia is n · {I} · n, with n = (u, v, w)/√(u² + v² + w²).",
+            ),
             Step::Say("Each product of inertia occurs twice, because the tensor is symmetric."),
         ],
         questions: &[Question {
-            name: "I_n",
+            name: "I_axis",
             is: "moment of inertia about the axis",
             unit: "kg m^2",
             form: Form::Plain,
-            right: &["(u^2*I_xx + v^2*I_yy + w^2*I_zz + 2*u*v*I_xy + 2*u*w*I_xz + 2*v*w*I_yz)/(u^2 + v^2 + w^2)"],
+            right: &[
+                "(u^2*I_xx + v^2*I_yy + w^2*I_zz + 2*u*v*I_xy + 2*u*w*I_xz + 2*v*w*I_yz)/(u^2 + v^2 + w^2)",
+            ],
             mistakes: &[
                 Mistake(
                     Wrong::Times("u^2 + v^2 + w^2"),

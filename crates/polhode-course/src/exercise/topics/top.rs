@@ -32,8 +32,14 @@ pub(super) const TOPICS: [Topic; 5] = [
             right: &["(I_3 - I_1)*omega_3/I_1"],
             mistakes: &[
                 Mistake(Wrong::Times("-1"), "the sign is reversed: Ω has the sign of (I₃ − I₁) ω₃"),
-                Mistake(Wrong::Is(&["(I_3 - I_1)*omega_3/I_3"]), "the difference is divided by I₁, the moment across the symmetry axis"),
-                Mistake(Wrong::Is(&["I_3*omega_3/I_1"]), "this is the precession of the axis in space for a small angle, not that of ω in the body"),
+                Mistake(
+                    Wrong::Is(&["(I_3 - I_1)*omega_3/I_3"]),
+                    "the difference is divided by I₁, the moment across the symmetry axis",
+                ),
+                Mistake(
+                    Wrong::Is(&["I_3*omega_3/I_1"]),
+                    "this is the precession of the axis in space for a small angle, not that of ω in the body",
+                ),
                 Mistake(Wrong::Is(&["(I_1 - I_3)*omega_3/I_3"]), INVERTED),
                 Mistake(Wrong::With(&[("omega_3", "omega_3*30/π")]), RPM),
                 Mistake(Wrong::With(&[("omega_3", "omega_3/(2*π)")]), HERTZ),
@@ -59,7 +65,9 @@ pub(super) const TOPICS: [Topic; 5] = [
             "(I_1*omega_p - I_3*omega_3)^2/(I_3*omega_3)^2 - 1/50",
         ],
         steps: &[
-            Step::Say("L, ω and the symmetry axis are in one plane: L has the components I₃ ω₃ and I₁ ω_p there."),
+            Step::Say(
+                "L, ω and the symmetry axis are in one plane: L has the components I₃ ω₃ and I₁ ω_p there.",
+            ),
             Step::Say("γ is the difference of the other two: tan γ = |tan α − tan θ|/(1 + tan α tan θ)."),
         ],
         questions: &[
@@ -70,8 +78,14 @@ pub(super) const TOPICS: [Topic; 5] = [
                 form: Form::Tangent("tan_alpha"),
                 right: &["omega_p/omega_3"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["omega_3/omega_p"]), "this is the complement to 90°: the components are interchanged"),
-                    Mistake(Wrong::Is(&["I_1*omega_p/(I_3*omega_3)"]), "this is the angle of L, not that of ω"),
+                    Mistake(
+                        Wrong::Is(&["omega_3/omega_p"]),
+                        "this is the complement to 90°: the components are interchanged",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["I_1*omega_p/(I_3*omega_3)"]),
+                        "this is the angle of L, not that of ω",
+                    ),
                 ],
             },
             Question {
@@ -81,7 +95,10 @@ pub(super) const TOPICS: [Topic; 5] = [
                 form: Form::Tangent("tan_theta"),
                 right: &["I_1*omega_p/(I_3*omega_3)"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["I_3*omega_3/(I_1*omega_p)"]), "this is the complement to 90°: the components are interchanged"),
+                    Mistake(
+                        Wrong::Is(&["I_3*omega_3/(I_1*omega_p)"]),
+                        "this is the complement to 90°: the components are interchanged",
+                    ),
                     Mistake(Wrong::Is(&["omega_p/omega_3"]), "this is the angle of ω, not that of L"),
                     Mistake(Wrong::Is(&["I_3*omega_p/(I_1*omega_3)"]), INVERTED),
                 ],
@@ -94,7 +111,10 @@ pub(super) const TOPICS: [Topic; 5] = [
                 right: &["(omega_p*omega_3*(I_3 - I_1)/(I_3*omega_3^2 + I_1*omega_p^2))^2"],
                 mistakes: &[
                     Mistake(Wrong::Is(&["(omega_p/omega_3)^2"]), "this is the half angle of the body cone"),
-                    Mistake(Wrong::Is(&["(I_1*omega_p/(I_3*omega_3))^2"]), "this is the angle between L and the symmetry axis"),
+                    Mistake(
+                        Wrong::Is(&["(I_1*omega_p/(I_3*omega_3))^2"]),
+                        "this is the angle between L and the symmetry axis",
+                    ),
                 ],
             },
         ],
@@ -113,7 +133,9 @@ pub(super) const TOPICS: [Topic; 5] = [
         rules: &["2*I_1 - I_3", "(I_1 - I_3)^2/I_1^2 - 1/50"],
         steps: &[
             Step::Say("L² = (I₁ ω_p)² + (I₃ ω₃)²."),
-            Step::Say("ω = P L/L + (ω₃ − I₃ ω₃/I₁) x̂₃. Across the axis this is ω_p = P sin θ with I₁ ω_p = L sin θ: P = L/I₁."),
+            Step::Say(
+                "ω = P L/L + (ω₃ − I₃ ω₃/I₁) x̂₃. Across the axis this is ω_p = P sin θ with I₁ ω_p = L sin θ: P = L/I₁.",
+            ),
         ],
         questions: &[
             Question {
@@ -123,9 +145,18 @@ pub(super) const TOPICS: [Topic; 5] = [
                 form: Form::Square("L_squared"),
                 right: &["I_1^2*omega_p^2 + I_3^2*omega_3^2"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["I_3^2*(omega_p^2 + omega_3^2)"]), "the moment across the axis is I₁"),
-                    Mistake(Wrong::Is(&["I_1^2*(omega_p^2 + omega_3^2)"]), "the moment about the symmetry axis is I₃"),
-                    Mistake(Wrong::Is(&["(I_1*omega_p + I_3*omega_3)^2"]), "the components are perpendicular: add their squares"),
+                    Mistake(
+                        Wrong::Is(&["I_3^2*(omega_p^2 + omega_3^2)"]),
+                        "the moment across the axis is I₁",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["I_1^2*(omega_p^2 + omega_3^2)"]),
+                        "the moment about the symmetry axis is I₃",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["(I_1*omega_p + I_3*omega_3)^2"]),
+                        "the components are perpendicular: add their squares",
+                    ),
                     Mistake(Wrong::Is(&["I_3^2*omega_p^2 + I_1^2*omega_3^2"]), INVERTED),
                 ],
             },
@@ -136,9 +167,18 @@ pub(super) const TOPICS: [Topic; 5] = [
                 form: Form::Square("P_squared"),
                 right: &["(I_1^2*omega_p^2 + I_3^2*omega_3^2)/I_1^2"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["(I_1^2*omega_p^2 + I_3^2*omega_3^2)/I_3^2"]), "L is divided by I₁, the moment across the symmetry axis"),
-                    Mistake(Wrong::Is(&["((I_3 - I_1)*omega_3/I_1)^2"]), "this is Ω, the precession of ω seen from the body"),
-                    Mistake(Wrong::Is(&["(I_3*omega_3/I_1)^2"]), "this holds for a small angle only: L contains I₁ ω_p, too"),
+                    Mistake(
+                        Wrong::Is(&["(I_1^2*omega_p^2 + I_3^2*omega_3^2)/I_3^2"]),
+                        "L is divided by I₁, the moment across the symmetry axis",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["((I_3 - I_1)*omega_3/I_1)^2"]),
+                        "this is Ω, the precession of ω seen from the body",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["(I_3*omega_3/I_1)^2"]),
+                        "this holds for a small angle only: L contains I₁ ω_p, too",
+                    ),
                     Mistake(Wrong::Is(&["omega_p^2 + omega_3^2"]), "this is the magnitude of ω"),
                     Mistake(Wrong::Times("1/(4*π^2)"), HERTZ),
                 ],
@@ -162,7 +202,9 @@ pub(super) const TOPICS: [Topic; 5] = [
         rules: &["I_1 + I_2 - I_3"],
         steps: &[
             Step::Say("For ω near axis 3: I₁ ω̇₁ = (I₂ − I₃) n ω₂ and I₂ ω̇₂ = (I₃ − I₁) n ω₁."),
-            Step::Say("So ω̈₁ = −Ω₃² ω₁. The same about axis 2 has the other sign: the rotation is unstable, with the rate k."),
+            Step::Say(
+                "So ω̈₁ = −Ω₃² ω₁. The same about axis 2 has the other sign: the rotation is unstable, with the rate k.",
+            ),
         ],
         questions: &[
             Question {
@@ -172,8 +214,14 @@ pub(super) const TOPICS: [Topic; 5] = [
                 form: Form::Square("Omega_1_squared"),
                 right: &["n^2*(I_2 - I_1)*(I_3 - I_1)/(I_2*I_3)"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["n^2*(I_3 - I_1)*(I_3 - I_2)/(I_1*I_2)"]), "this is the frequency about axis 3"),
-                    Mistake(Wrong::Is(&["n^2*(I_3 - I_2)*(I_2 - I_1)/(I_1*I_3)"]), "this is the growth rate about axis 2"),
+                    Mistake(
+                        Wrong::Is(&["n^2*(I_3 - I_1)*(I_3 - I_2)/(I_1*I_2)"]),
+                        "this is the frequency about axis 3",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["n^2*(I_3 - I_2)*(I_2 - I_1)/(I_1*I_3)"]),
+                        "this is the growth rate about axis 2",
+                    ),
                     Mistake(Wrong::With(&[("n", "n*30/π")]), RPM),
                     Mistake(Wrong::With(&[("n", "n/(2*π)")]), HERTZ),
                 ],
@@ -185,8 +233,14 @@ pub(super) const TOPICS: [Topic; 5] = [
                 form: Form::Square("k_squared"),
                 right: &["n^2*(I_3 - I_2)*(I_2 - I_1)/(I_1*I_3)"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["n^2*(I_3 - I_1)*(I_3 - I_2)/(I_1*I_2)"]), "this is the frequency about axis 3"),
-                    Mistake(Wrong::Is(&["n^2*(I_2 - I_1)*(I_3 - I_1)/(I_2*I_3)"]), "this is the frequency about axis 1"),
+                    Mistake(
+                        Wrong::Is(&["n^2*(I_3 - I_1)*(I_3 - I_2)/(I_1*I_2)"]),
+                        "this is the frequency about axis 3",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["n^2*(I_2 - I_1)*(I_3 - I_1)/(I_2*I_3)"]),
+                        "this is the frequency about axis 1",
+                    ),
                     Mistake(Wrong::With(&[("n", "n*30/π")]), RPM),
                     Mistake(Wrong::With(&[("n", "n/(2*π)")]), HERTZ),
                 ],
@@ -198,8 +252,14 @@ pub(super) const TOPICS: [Topic; 5] = [
                 form: Form::Square("Omega_3_squared"),
                 right: &["n^2*(I_3 - I_1)*(I_3 - I_2)/(I_1*I_2)"],
                 mistakes: &[
-                    Mistake(Wrong::Is(&["n^2*(I_2 - I_1)*(I_3 - I_1)/(I_2*I_3)"]), "this is the frequency about axis 1"),
-                    Mistake(Wrong::Is(&["n^2*(I_3 - I_2)*(I_2 - I_1)/(I_1*I_3)"]), "this is the growth rate about axis 2"),
+                    Mistake(
+                        Wrong::Is(&["n^2*(I_2 - I_1)*(I_3 - I_1)/(I_2*I_3)"]),
+                        "this is the frequency about axis 1",
+                    ),
+                    Mistake(
+                        Wrong::Is(&["n^2*(I_3 - I_2)*(I_2 - I_1)/(I_1*I_3)"]),
+                        "this is the growth rate about axis 2",
+                    ),
                     Mistake(Wrong::With(&[("n", "n*30/π")]), RPM),
                     Mistake(Wrong::With(&[("n", "n/(2*π)")]), HERTZ),
                 ],
@@ -232,12 +292,18 @@ pub(super) const TOPICS: [Topic; 5] = [
             form: Form::Plain,
             right: &["M*g*l/(I_3*n)"],
             mistakes: &[
-                Mistake(Wrong::Is(&["M*g*l/(I_1*n)"]), "the spin is about the symmetry axis: its moment is I₃, not I₁"),
+                Mistake(
+                    Wrong::Is(&["M*g*l/(I_1*n)"]),
+                    "the spin is about the symmetry axis: its moment is I₃, not I₁",
+                ),
                 Mistake(Wrong::With(&[("n", "n*30/π")]), RPM),
                 Mistake(Wrong::With(&[("n", "n/(2*π)")]), HERTZ),
                 Mistake(Wrong::Is(&["M*l/(I_3*n)"]), "the weight is M g"),
                 Mistake(Wrong::Is(&["I_3*n/I_1"]), "this is the fast precession, the nutation"),
-                Mistake(Wrong::With(&[("l", "2*l")]), "l is the distance to the centre of mass, not the length of the top"),
+                Mistake(
+                    Wrong::With(&[("l", "2*l")]),
+                    "l is the distance to the centre of mass, not the length of the top",
+                ),
             ],
         }],
     },

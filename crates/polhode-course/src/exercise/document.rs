@@ -55,7 +55,7 @@ impl Exercise {
     /// Returns the solution.
     pub fn solution(&self) -> Document {
         let mut steps = Section::new(1, "Way to the solution");
-        for step in self.prepared.topic.steps {
+        for step in &self.prepared.topic.steps {
             match step {
                 Step::Say(text) => steps.say(text),
                 Step::Show(name, text, unit) => self.show(&mut steps, name, text, unit),

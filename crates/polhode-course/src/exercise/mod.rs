@@ -15,7 +15,6 @@ mod report;
 mod request;
 mod run;
 mod topic;
-mod topics;
 mod value;
 
 pub use grade::Grade;

@@ -5,7 +5,7 @@ use polhode_document::number::number;
 use polhode_source::unit::{Dimension, measured, measured_apart};
 
 use super::generator::Generator;
-use super::topic::{Datum, Form, Mistake, Origin, Question, Range, Topic, Wrong};
+use super::topic::{Datum, Form, Origin, Question, Range, Topic, Wrong};
 use super::value::{Value, distance, finished, largest};
 
 /// Largest number of draws until one is instructive.
@@ -75,14 +75,11 @@ impl Prepared {
     pub(super) fn new(topic: &'static Topic) -> Option<Self> {
         let mut symbols = Symbols::new();
         let pi = symbols.declare("π", Kind::Positive).ok()?;
-        let data = || topic.data.iter().copied().flatten();
+        let data = || topic.data.iter();
         // The answers of students know the given symbols only, which come first.
-        data().filter(|d| is_given(d)).try_for_each(|d| symbols.declare(d.symbol, kind(d)).map(drop)).ok()?;
+        data().filter(|d| d.is_given).try_for_each(|d| symbols.declare(d.symbol, kind(d)).map(drop)).ok()?;
         let stated = symbols.clone();
-        data()
-            .filter(|d| !is_given(d))
-            .try_for_each(|d| symbols.declare(d.symbol, kind(d)).map(drop))
-            .ok()?;
+        data().filter(|d| !d.is_given).try_for_each(|d| symbols.declare(d.symbol, kind(d)).map(drop)).ok()?;
         let read = |text: &&str| parse(text, &symbols).ok();
         let data = data().map(|datum| {
             let formula = match datum.origin {
@@ -100,7 +97,7 @@ impl Prepared {
 
     /// Returns the symbols that the problem states.
     pub(super) fn given_symbols(&self) -> impl Iterator<Item = Symbol> {
-        self.data.iter().filter(|datum| is_given(datum.datum)).map(|datum| datum.symbol)
+        self.data.iter().filter(|datum| datum.datum.is_given).map(|datum| datum.symbol)
     }
 
     /// Returns true if the topic can ask for formulas: the answers contain only what is given, and
@@ -164,13 +161,15 @@ impl Prepared {
                 Some(given(measured(text.trim()).ok()?.0, text.trim().to_owned()))
             };
             data.push(match datum.origin {
+                Origin::Drawn(range) if !datum.is_given => {
+                    given(decimal(range, generator).parse().ok()?, String::new())
+                }
                 Origin::Drawn(range) => {
                     let drawn = quantity(&decimal(range, generator))?;
                     let size = |text: &str| text.trim_start_matches('-').to_owned();
                     data.iter().all(|other| size(&other.text) != size(&drawn.text)).then_some(drawn)?
                 }
                 Origin::Fixed(number) => quantity(number)?,
-                Origin::Hidden(range) => given(decimal(range, generator).parse().ok()?, String::new()),
                 Origin::Sign => given(if generator.below(2) == 0 { 1.0 } else { -1.0 }, String::new()),
                 Origin::Triple => {
                     let [cosine, sine, r] = TRIPLES[generator.below(TRIPLES.len() as u64) as usize];
@@ -230,7 +229,7 @@ impl PreparedQuestion {
     fn new(question: &'static Question, symbols: &Symbols) -> Option<Self> {
         let read = |text: &&str| parse(text, symbols).ok();
         let right: Vec<RationalFunction> = question.right.iter().map(read).collect::<Option<_>>()?;
-        let change = |Mistake(wrong, reason): &Mistake| {
+        let change = |(wrong, reason): &(Wrong, &'static str)| {
             let change = match wrong {
                 Wrong::Is(formulas) => Change::Formulas(formulas.iter().map(read).collect::<Option<_>>()?),
                 Wrong::Times(factor) => {
@@ -278,10 +277,6 @@ fn kind(datum: &Datum) -> Kind {
         Origin::Drawn(Range { is_signed: true, .. }) | Origin::Sign => Kind::Constant,
         _ => Kind::Positive,
     }
-}
-
-const fn is_given(datum: &Datum) -> bool {
-    !matches!(datum.origin, Origin::Hidden(_) | Origin::Sign)
 }
 
 /// Returns the size of a unit in SI, and its dimension.

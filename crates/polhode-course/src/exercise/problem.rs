@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::prepared::{Given, Prepared, PreparedQuestion, Values};
-use super::topics::all;
+use super::topic::TOPICS;
 
 /// Exercises of one topic.
 #[derive(Clone, Debug)]
@@ -23,13 +23,13 @@ pub struct Exercise {
 
 /// Returns the names of all topics.
 pub fn topics() -> impl Iterator<Item = &'static str> {
-    all().map(|topic| topic.name)
+    TOPICS.iter().map(|topic| topic.name)
 }
 
 impl Exercises {
     /// Returns the exercises of a topic; `None` for an unknown name.
     pub fn of(topic: &str) -> Option<Self> {
-        let topic = all().find(|other| other.name == topic)?;
+        let topic = TOPICS.iter().find(|other| other.name == topic)?;
         Prepared::new(topic).map(|prepared| Self(Arc::new(prepared)))
     }
 

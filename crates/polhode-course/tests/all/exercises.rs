@@ -28,6 +28,12 @@ fn request(topic: &str, symbols: bool, solution: Option<Solution>) -> Request {
 
 #[test]
 fn the_themes_of_the_chapter_are_there() {
+    // A topic with a line that is not valid would be left out.
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/exercise/topics");
+    let texts = fs::read_dir(folder).unwrap().map(|file| fs::read_to_string(file.unwrap().path()).unwrap());
+    let headings: usize = texts.map(|text| text.lines().filter(|line| line.starts_with("## ")).count()).sum();
+    let blocks = 3;
+    assert_eq!(topics().count() + blocks, headings);
     assert!(topics().count() >= 20);
     let report = run(&Request::default(), &Memory::default()).unwrap();
     require_fits(REPORT_SCHEMA, &report.to_json());

@@ -1,4 +1,4 @@
-//! Answer files.
+//! Reader of answer files.
 
 use std::path::Path;
 
@@ -20,7 +20,7 @@ pub(super) enum Answer {
     Missing,
     /// Numbers in SI units with their dimensions: one, three, or nine by row.
     Numbers(Vec<(f64, Dimension)>),
-    /// Formulas.
+    /// Formulas in the given symbols.
     Formulas(Vec<RationalFunction>),
     /// Quantity with a unit in place of a formula.
     NoFormula,

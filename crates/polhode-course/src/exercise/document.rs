@@ -3,6 +3,7 @@
 use polhode_algebra::{Accent, Formula, RationalFunction};
 use polhode_document::number::{DIGITS, NO_BREAK, number};
 use polhode_document::{Document, Section};
+use polhode_source::unit::{Dimension, measured, unit_of};
 
 use super::prepared::PreparedQuestion;
 use super::problem::Exercise;
@@ -47,7 +48,7 @@ impl Exercise {
              dimension are accepted."
         });
         let mut file = Section::new(3, "Answer file");
-        file.say("Replace each question mark, and grade the file with `polhode exercise --answers FILE`:");
+        file.say("Replace each question mark, and grade the file with polhode exercise --answers FILE:");
         self.template().lines().filter(|line| !line.is_empty()).for_each(|line| file.line(line));
         self.document("Exercise", vec![problem, find, file])
     }
@@ -61,6 +62,11 @@ impl Exercise {
                 Step::Show(name, text, unit) => self.show(&mut steps, name, text, unit),
             }
         }
+        let converted: Vec<String> = self.converted().collect();
+        if !converted.is_empty() {
+            steps.say("In SI units:");
+            lines(&mut steps, converted.into_iter());
+        }
         let mut sections = vec![steps];
         for (question, (right, wrong)) in self.questions() {
             let number = sections.len() as u8 + 1;
@@ -69,7 +75,7 @@ impl Exercise {
                 Section::new(number, &format!("{name}: {}", question.meaning(self.is_symbolic)));
             self.formulas(&mut section, question);
             if let Value::Numbers(numbers) = right {
-                result(&mut section, self.letter(question), numbers, question);
+                result(&mut section, &self.letter(question), numbers, question);
             }
             for (value, why) in wrong {
                 // Six formulas are not easier to compare than the reason.
@@ -97,6 +103,17 @@ impl Exercise {
                     quantity(number, unit)
                 )
             }
+        })
+    }
+
+    /// Returns the given quantities with other units in SI units.
+    fn converted(&self) -> impl Iterator<Item = String> {
+        self.data.iter().filter_map(|given| {
+            let (_, dimension) = measured(&given.text).ok().filter(|(_, d)| *d != Dimension::NONE)?;
+            let name = self.prepared.symbols.notation(given.symbol).to_text();
+            let shown = quantity(&number(given.value, DIGITS), &dimension.unit().0);
+            let is_other = printed_unit(unit_of(&given.text)) != dimension.unit().0;
+            is_other.then(|| format!("{name} = {shown}"))
         })
     }
 
@@ -181,13 +198,13 @@ impl Exercise {
         match &values[..] {
             [one] => quantity(one, unit),
             [_, _, _] => quantity(&format!("({})", values.join(", ")), unit),
-            _ => quantity(&format!("xx, yy, zz, xy, xz, yz: {}", values.join(", ")), unit),
+            _ => quantity(&format!("(xx, yy, zz, xy, xz, yz) = ({})", values.join(", ")), unit),
         }
     }
 }
 
 /// Writes the right numbers.
-fn result(section: &mut Section, letter: Formula, numbers: &[f64], question: &PreparedQuestion) {
+fn result(section: &mut Section, letter: &Formula, numbers: &[f64], question: &PreparedQuestion) {
     let name = letter.to_text();
     let (factor, unit) = (question.unit.0, question.question.unit);
     match *numbers {

@@ -20,7 +20,7 @@ pub enum Grade {
     Wrong(Option<String>),
     /// Unit of another dimension, or none.
     WrongUnit(String),
-    /// No answer.
+    /// No answer, or the question mark of the template.
     Missing,
 }
 

@@ -51,7 +51,7 @@ pub(super) struct PreparedQuestion {
 
 #[derive(Debug)]
 enum Change {
-    /// Other formulas.
+    /// Formulas in place of the right ones.
     Formulas(Vec<RationalFunction>),
     /// Other values of symbols in the right formulas.
     Values(Vec<(Symbol, RationalFunction)>),
@@ -132,6 +132,8 @@ impl Prepared {
             let wrong = question.wrong.iter().filter_map(|(change, reason)| {
                 let formulas = match change {
                     Change::Formulas(formulas) => formulas.clone(),
+                    // Units are converted in numbers only.
+                    Change::Values(values) if self.converts(values) => return None,
                     Change::Values(values) => {
                         question.right.iter().map(|f| changed(f, values)).collect::<Option<_>>()?
                     }
@@ -141,6 +143,11 @@ impl Prepared {
             (Value::Formulas(question.right.clone()), wrong.collect())
         };
         self.questions.iter().map(of).collect()
+    }
+
+    /// Returns true if values of symbols contain π, as in a conversion of units.
+    fn converts(&self, values: &[(Symbol, RationalFunction)]) -> bool {
+        values.iter().any(|(_, value)| value.symbols().any(|symbol| symbol == self.pi))
     }
 
     /// Returns the value of a formula, SI units.

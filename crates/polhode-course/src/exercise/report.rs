@@ -14,18 +14,18 @@ pub const REPORT_SCHEMA: &str = include_str!("../../schema/exercise-report.json"
 /// Result of a [`Request`](super::Request).
 #[derive(Clone, Debug)]
 pub enum ExerciseReport {
-    /// All topics.
+    /// Topics in the order of the chapter.
     Topics(Vec<Exercises>),
     /// Exercise, and the place of its solution if that is requested.
     Exercise {
-        /// The exercise.
+        /// Problem with its solution.
         exercise: Exercise,
         /// Place of the solution.
         solution: Option<Solution>,
     },
     /// Grades of the answers to an exercise.
     Graded {
-        /// The exercise.
+        /// Problem with its solution.
         exercise: Exercise,
         /// Grades in the order of the questions.
         grades: Vec<Grade>,

@@ -107,7 +107,7 @@ pub(super) enum Step {
 pub(super) struct Question {
     /// Name in the answer file.
     pub(super) name: &'static str,
-    /// Meaning.
+    /// Meaning of the quantity in words.
     pub(super) is: &'static str,
     /// Unit in the solution and in the template of the answer file.
     pub(super) unit: &'static str,

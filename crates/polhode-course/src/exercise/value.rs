@@ -63,7 +63,7 @@ pub(super) fn distance(value: &[f64], answer: &[f64], form: Form) -> f64 {
     }
     let size = largest(value);
     let differences = value.iter().zip(answer).map(|(a, b)| (a - b).abs());
-    // NaN, as for a vector of length 0, is no distance that is accepted.
+    // NaN, the distance from a vector of length 0, is kept, and is not accepted.
     differences.fold(0.0, |most, d| if d <= most { most } else { d }) / size
 }
 

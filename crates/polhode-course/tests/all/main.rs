@@ -1,4 +1,5 @@
 //! Tests of derivations and exercises.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod derivations;
 mod exercise_answers;

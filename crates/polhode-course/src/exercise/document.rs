@@ -50,7 +50,8 @@ impl Exercise {
         let mut file = Section::new(3, "Answer file");
         file.say("Replace each question mark, and grade the file with polhode exercise --answers FILE:");
         self.template().lines().filter(|line| !line.is_empty()).for_each(|line| file.line(line));
-        self.document("Exercise", vec![problem, find, file])
+        let names: Vec<_> = self.questions().map(|(question, _)| question.name(self.is_symbolic)).collect();
+        self.document("Exercise", vec![format!("Find {}", names.join(", "))], vec![problem, find, file])
     }
 
     /// Returns the solution.
@@ -87,7 +88,14 @@ impl Exercise {
             }
             sections.push(section);
         }
-        self.document("Solution", sections)
+        let results = self.questions().map(|(question, (right, _))| {
+            let name = question.name(self.is_symbolic);
+            match self.is_symbolic && question.right.len() > 1 {
+                true => format!("{name}: formulas of {} elements", question.right.len()),
+                false => format!("{name} = {}", self.shown(right, question)),
+            }
+        });
+        self.document("Solution", results.collect(), sections)
     }
 
     /// Returns the given quantities as lines.
@@ -117,13 +125,13 @@ impl Exercise {
         })
     }
 
-    fn document(&self, kind: &str, sections: Vec<Section>) -> Document {
+    fn document(&self, kind: &str, answer: Vec<String>, sections: Vec<Section>) -> Document {
         let topic = self.prepared.topic;
         let which = if self.is_symbolic { "in symbols".to_owned() } else { format!("seed {}", self.seed) };
         Document {
             title: format!("{kind}: {} ({}, {which})", topic.title, topic.name),
             verdict: None,
-            answer: Vec::new(),
+            answer,
             sections,
             findings: Vec::new(),
         }
@@ -198,7 +206,10 @@ impl Exercise {
         match &values[..] {
             [one] => quantity(one, unit),
             [_, _, _] => quantity(&format!("({})", values.join(", ")), unit),
-            _ => quantity(&format!("(xx, yy, zz, xy, xz, yz) = ({})", values.join(", ")), unit),
+            _ => {
+                let elements = quantity(&format!("({})", values.join(", ")), unit);
+                format!("{elements} [xx, yy, zz, xy, xz, yz]")
+            }
         }
     }
 }

@@ -143,6 +143,7 @@ fn documents_are_complete_in_every_format() {
             }
             let problem = run(&request(topic, symbols, None), &Memory::default()).unwrap();
             assert!(problem.to_json()["solution"].is_null());
+            assert!(!problem.to_document().answer.is_empty());
             assert!(!problem.to_text(None).contains("If you found"), "{topic}");
             assert!(problem.to_text(None).contains("[answers]"), "{topic}");
         }

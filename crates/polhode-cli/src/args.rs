@@ -9,6 +9,7 @@ use clap::{CommandFactory as _, Parser, Subcommand};
 use crate::budget::BudgetCommand;
 #[cfg(feature = "robot")]
 use crate::check::Check;
+use crate::exercise::Exercise;
 use crate::explain::Explain;
 use crate::failure::Failure;
 #[cfg(feature = "identify")]
@@ -74,6 +75,7 @@ pub(crate) enum Command {
     #[cfg(feature = "sweep")]
     Sweep(Sweep),
     Explain(Explain),
+    Exercise(Exercise),
     #[cfg(feature = "judge")]
     Judge(Box<Judge>),
     #[cfg(feature = "identify")]
@@ -103,6 +105,7 @@ impl Command {
             #[cfg(feature = "sweep")]
             Self::Sweep(command) => command.run(),
             Self::Explain(command) => command.run(),
+            Self::Exercise(command) => command.run(),
             #[cfg(feature = "judge")]
             Self::Judge(command) => command.run(),
             #[cfg(feature = "identify")]

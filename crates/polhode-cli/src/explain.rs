@@ -3,12 +3,11 @@
 use clap::Args;
 use polhode_course::derivation::{self, Derivation};
 use polhode_document::Document;
-use polhode_document::json::pretty;
-use polhode_scenario::request::explain::{Request, run};
+use polhode_scenario::request::explain::{Request, Solution, run};
 use polhode_source::files::Disk;
 
 use crate::failure::Failure;
-use crate::stdout::print;
+use crate::written::Written;
 
 /// Show the worked solution of a scenario, with every formula and number.
 ///
@@ -31,42 +30,18 @@ pub(crate) struct Explain {
     /// Print a derivation of the lecture notes, such as euler-equations; without a name, list them.
     #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = "", conflicts_with = "file")]
     derive: Option<String>,
-    /// Print Markdown with typeset formulas, for GitHub, Jupyter and pandoc.
-    #[arg(long, group = "form")]
-    markdown: bool,
-    /// Print a self-contained HTML page with typeset formulas and graphs.
-    #[arg(long, group = "form")]
-    html: bool,
-    /// Print a LaTeX article.
-    #[arg(long, group = "form")]
-    latex: bool,
-    /// Print JSON: sections, formulas and tables as data.
-    #[arg(long, group = "form")]
-    json: bool,
-    /// Line width of the text, characters.
-    #[arg(long, value_name = "N", default_value_t = 100, conflicts_with = "form", value_parser = clap::value_parser!(u16).range(40..=400))]
-    width: u16,
+    #[command(flatten)]
+    written: Written,
 }
 
 impl Explain {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let document = match (&self.derive, &self.request) {
-            (Some(name), _) => derived(name)?,
-            (None, Some(request)) => run(request, &Disk)?.0,
+        let solution = match (&self.derive, &self.request) {
+            (Some(name), _) => Solution(derived(name)?),
+            (None, Some(request)) => run(request, &Disk)?,
             (None, None) => return Err(Failure::usage("no scenario", "polhode explain SCENARIO.toml")),
         };
-        let text = if self.json {
-            pretty(&document.to_json()) + "\n"
-        } else if self.markdown {
-            document.to_markdown()
-        } else if self.html {
-            document.to_html()
-        } else if self.latex {
-            document.to_latex()
-        } else {
-            document.to_text(usize::from(self.width))
-        };
-        print(&text)
+        self.written.print(&solution)
     }
 }
 

@@ -13,6 +13,7 @@ mod browser;
 mod budget;
 #[cfg(feature = "robot")]
 mod check;
+mod exercise;
 mod explain;
 mod failure;
 mod folder;
@@ -43,6 +44,7 @@ mod stdout;
 mod sweep;
 mod table;
 mod torque;
+mod written;
 
 use std::ffi::OsString;
 

@@ -1,6 +1,7 @@
 //! `polhode schema`
 
 use clap::{Args, ValueEnum};
+use polhode_course::exercise;
 use polhode_scenario::request::{explain, simulate, spin, stability, torque};
 
 use crate::failure::Failure;
@@ -42,6 +43,8 @@ enum Name {
     Torque,
     /// Report of `polhode explain --json`.
     Explain,
+    /// Report of `polhode exercise --json`.
+    Exercise,
     /// Report of `polhode check --json`.
     #[cfg(feature = "robot")]
     Check,
@@ -76,6 +79,7 @@ impl Schema {
             Name::Stability => [stability::REPORT_SCHEMA.as_str(), stability::REQUEST_SCHEMA],
             Name::Torque => [torque::REPORT_SCHEMA.as_str(), torque::REQUEST_SCHEMA],
             Name::Explain => [explain::REPORT_SCHEMA.as_str(), explain::REQUEST_SCHEMA],
+            Name::Exercise => [exercise::REPORT_SCHEMA, exercise::REQUEST_SCHEMA],
             #[cfg(feature = "robot")]
             Name::Check => [polhode_robot::REPORT_SCHEMA, polhode_robot::REQUEST_SCHEMA],
             #[cfg(feature = "sweep")]

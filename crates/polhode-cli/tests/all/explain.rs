@@ -188,3 +188,39 @@ fn inertia_has_exact_formulas() {
     assert!(error.contains("t-handle.toml has no [symbols]"), "{error}");
     refused(&scratch.run(&["inertia", "cube.toml", "--symbols", "--json"]), 2);
 }
+
+/// `exercise` lists topics, makes problems with solutions, and grades answers.
+#[test]
+fn exercises_are_made_and_graded() {
+    let scratch = Scratch::new("exercises");
+    let list = json(&scratch.run(&["exercise", "--json"]));
+    assert!(list["topics"].as_array().unwrap().len() >= 20);
+    let make = ["exercise", "box-about-corner", "--seed", "7"];
+    let problem = stdout(&scratch.run(&make));
+    assert!(problem.contains("I = [") && !problem.contains("0.114467"), "{problem}");
+    let solution = stdout(&scratch.run(&[&make[..], &["--solution"]].concat()));
+    assert!(solution.contains("0.114467"), "{solution}");
+    let page = stdout(&scratch.run(&[&make[..], &["--html"]].concat()));
+    assert!(page.starts_with("<!doctype html>"), "{page}");
+    // M = 6.8 kg and the edges 37, 19, 12 cm: I_xx = M (b² + c²)/3, I_xy = −M a b/4
+    let answers = |sign: &str| {
+        format!(
+            "topic = 'box-about-corner'\nseed = 7\n[answers]\nI = [\n['0.11447 kg m^2', '{sign}0.11951 kg m^2', '{sign}754.8 kg cm^2'],\n\
+             ['{sign}0.11951 kg m^2', '0.34295 kg m^2', '{sign}0.03876 kg m^2'],\n\
+             ['{sign}0.07548 kg m^2', '{sign}0.03876 kg m^2', '0.39213 kg m^2'],\n]\n"
+        )
+    };
+    scratch.write("right.toml", &answers("-"));
+    let grades = stdout(&scratch.run(&["exercise", "--answers", "right.toml"]));
+    assert!(grades.contains("1 of 1"), "{grades}");
+    scratch.write("wrong.toml", &answers(""));
+    let output = scratch.run(&["exercise", "--answers", "wrong.toml"]);
+    assert_eq!(output.status.code(), Some(1));
+    let grades = String::from_utf8(output.stdout).unwrap();
+    assert!(grades.contains("the sign of the products of inertia is reversed"), "{grades}");
+    scratch.write("bad.toml", "topic = 'box-about-corner'\nseed = 7\n[answers]\nI = 3\n");
+    let error = refused(&scratch.run(&["exercise", "--answers", "bad.toml"]), 2);
+    assert!(error.contains("bad.toml:4:5"), "{error}");
+    let error = refused(&scratch.run(&["exercise", "box-corner"]), 2);
+    assert!(error.contains("box-about-corner"), "{error}");
+}

@@ -123,6 +123,52 @@ fn every_shape_has_the_computed_tensor_about_a_generic_point() {
 }
 
 #[test]
+fn formulas_hold_for_other_values_of_the_symbols() {
+    // The formulas of one file, at the values of another one, have that file's tensor.
+    let part = |shape: &str| {
+        let text = scenario(&format!(
+            "[body]\npivot = [\"d\", 0, \"b/3\"]\n[[body.part]]\n{shape}\nmass = \"M\"\nposition = [\"c\", \"-a\", \"d\"]\n\
+             rotate = {{ axis = [2, -1, 2], angle = \"alpha\" }}"
+        ));
+        if shape.contains("inner") { text.replace("0.17 m", "0.11 m") } else { text }
+    };
+    for shape in SHAPES {
+        let text = part(shape);
+        let exact = symbolic(&text).unwrap_or_else(|gap| panic!("{gap}\n{text}"));
+        for (k, scale) in [1.37, 0.71, 1.93].into_iter().enumerate() {
+            // Every quantity changes by a factor of its own.
+            let changed: Vec<String> = text
+                .lines()
+                .enumerate()
+                .map(|(n, line)| {
+                    match line
+                        .split_once(" = \"")
+                        .and_then(|(name, rest)| Some((name, rest.split_once(' ')?)))
+                    {
+                        Some((name, (number, unit))) if SYMBOLS.iter().any(|(symbol, _)| *symbol == name) => {
+                            let factor = scale + 0.01 * (n * (k + 1)) as f64;
+                            format!("{name} = \"{} {unit}", number.parse::<f64>().unwrap() * factor)
+                        }
+                        _ => line.to_owned(),
+                    }
+                })
+                .collect();
+            let other = file(&changed.join("\n"));
+            let values = found(&other).unwrap().known;
+            let value = |symbol| values.iter().find(|known| known.symbol == symbol).map(|known| known.value);
+            let computed = other.scenario.rotor().inertia().matrix();
+            for (row, numbers) in exact.tensor.0.iter().zip(computed) {
+                for (formula, number) in row.iter().zip(numbers) {
+                    let found = formula.evaluate(&value).unwrap();
+                    let size = computed[0][0] + computed[1][1] + computed[2][2];
+                    assert!((found - number).abs() < 1e-12 * size, "{shape}: {found} {number}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn masses_follow_from_densities() {
     let solids = SHAPES.iter().filter(|shape| {
         !["box_shell", "plate", "shell", "rod", "disk", "triang", "tetra"]

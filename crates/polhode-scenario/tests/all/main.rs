@@ -17,6 +17,7 @@ mod gimbal_examples;
 mod gimbals;
 mod golden;
 mod json;
+mod lagrangian;
 mod mass_history;
 mod mistakes;
 mod motion_errors;

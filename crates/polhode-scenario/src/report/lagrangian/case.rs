@@ -1,0 +1,367 @@
+//! A recognized system, and its solution as a document.
+
+use polhode::motion::Scenario;
+use polhode_algebra::{Formula, RationalFunction, Relation, Style, Symbol};
+use polhode_document::number::{counted, error, number};
+use polhode_document::{Document, Section};
+
+use super::Formalism;
+use super::error::LagrangianError;
+use super::system::{Hamiltonian, System, half_square, velocity};
+use super::verify::{Course, Departure, Motion};
+
+/// Significant digits.
+const DIGITS: usize = 6;
+/// Largest relative residual of an equation that holds.
+const TOLERANCE: f64 = 1e-6;
+/// Largest width of an equation on one line, columns.
+const LONGEST: usize = 84;
+
+/// Recognized system with what its document states.
+pub(super) struct Case {
+    /// Name with its article.
+    pub name: &'static str,
+    pub system: System,
+    /// Section on the coordinates.
+    pub coordinates: Section,
+    /// Sentence before T and U.
+    pub energies: &'static str,
+    /// Section on equilibrium and small oscillations.
+    pub oscillations: Section,
+    /// Motion of the run; `None` without a run.
+    pub motion: Option<Motion>,
+    /// Further equations to verify, `left side = 0`, with their names and scales.
+    pub others: Vec<(String, RationalFunction)>,
+}
+
+/// Row of the verification.
+struct Row {
+    name: String,
+    kind: &'static str,
+    departure: Departure,
+}
+
+impl Case {
+    /// Returns the document.
+    pub(super) fn document(
+        mut self,
+        scenario: &Scenario,
+        formalism: Formalism,
+    ) -> Result<Document, LagrangianError> {
+        let hamiltonian = match formalism {
+            Formalism::Lagrange => None,
+            Formalism::Hamilton => Some(self.system.hamiltonian().ok_or_else(|| {
+                LagrangianError::because("its velocities do not follow from the momenta")
+            })?),
+        };
+        let (title, equations) = match &hamiltonian {
+            None => ("Lagrange's equations", self.lagrange()),
+            Some(h) => ("Hamilton's equations", self.hamilton(h)),
+        };
+        let course = self.motion.as_ref().and_then(|motion| Course::of(&self.system, motion));
+        let rows = course.as_ref().map(|course| self.rows(course, hamiltonian.as_ref())).transpose()?;
+        let coordinates = std::mem::replace(&mut self.coordinates, Section::new(1, ""));
+        let oscillations = std::mem::replace(&mut self.oscillations, Section::new(5, ""));
+        Ok(Document {
+            title: scenario.title().unwrap_or("A rigid body").to_owned(),
+            verdict: None,
+            answer: self.answer(title, rows.as_deref()),
+            sections: vec![
+                coordinates,
+                self.energies(),
+                equations,
+                self.constants(),
+                oscillations,
+                self.values(course.as_ref(), hamiltonian.as_ref()),
+                self.verification(course.as_ref(), rows.as_deref()),
+            ],
+            findings: scenario.findings().to_vec(),
+        })
+    }
+
+    fn answer(&self, title: &str, rows: Option<&[Row]>) -> Vec<String> {
+        let degrees = counted(self.system.coordinates.len(), "degree");
+        let mut lines = vec![format!("{title} of {}, with {degrees} of freedom.", self.name)];
+        if let Some(rows) = rows {
+            let largest = |kind: &str| {
+                rows.iter().filter(|row| row.kind == kind).map(|row| row.departure.relative).fold(0.0, f64::max)
+            };
+            lines.push(format!(
+                "Along the computed motion the equations hold to {} (largest relative residual), and the conserved quantities are constant to {}.",
+                error(largest(EQUATION)),
+                error(largest(CONSTANT))
+            ));
+        }
+        lines
+    }
+
+    /// Writes T, U and L.
+    fn energies(&self) -> Section {
+        let system = &self.system;
+        let mut s = Section::new(2, "Kinetic and potential energy");
+        s.say(self.energies);
+        let energy = |name: &str, terms: &[RationalFunction]| Formula::named(name).equals(system.sum(terms));
+        if let Some(body) = &system.body {
+            let square = |k: usize| half_square(&body.moments[k], &body.omega[k].into());
+            put(&mut s, energy("T", &[0, 1, 2].map(square)));
+        } else {
+            put(&mut s, energy("T", &system.kinetic));
+        }
+        put(&mut s, energy("U", std::slice::from_ref(&system.potential)));
+        let [t, u] = ["T", "U"].map(Formula::named);
+        let difference = Formula::named("L").equals(Formula::Sum(vec![t, u.negative()]));
+        let mut terms = system.kinetic.clone();
+        terms.push(-&system.potential);
+        terms.retain(|term| !term.is_zero());
+        put(&mut s, if system.body.is_some() { difference } else { difference.equals(system.sum(&terms)) });
+        s
+    }
+
+    fn lagrange(&self) -> Section {
+        let system = &self.system;
+        let lagrangian = system.lagrangian();
+        let mut s = Section::new(3, "Momenta and equations of motion");
+        s.say("Each coordinate q has the momentum p = ∂L/∂q\u{307}, which for an angle is an angular momentum:");
+        for c in &system.coordinates {
+            let l = Formula::named("L");
+            let left = system.letter(c.momentum).equals(l.derivative(self.dotted(c.symbol), true));
+            self.put_long(&mut s, left, &lagrangian.momentum(c.symbol));
+        }
+        s.say("and Lagrange's equation (d/dt) ∂L/∂q\u{307} − ∂L/∂q = 0:");
+        for c in &system.coordinates {
+            let l = || Formula::named("L");
+            if system.is_cyclic(c) {
+                let rate = l().derivative(self.dotted(c.symbol), true).time_derivative();
+                put(&mut s, rate.equals(Formula::integer(0)).related(
+                    Relation::Implies,
+                    Formula::List(vec![system.letter(c.momentum).equals(Formula::text("constant"))]),
+                ));
+                continue;
+            }
+            let equation = lagrangian.lagrange_equation(c.symbol, &system.symbols);
+            let formula = equation.collected(&system.rates(), &system.symbols);
+            if columns(&formula) > LONGEST {
+                self.put_long(&mut s, Formula::integer(0), &equation);
+            } else {
+                put(&mut s, formula.equals(Formula::integer(0)));
+            }
+        }
+        s
+    }
+
+    fn hamilton(&self, h: &Hamiltonian) -> Section {
+        let system = &self.system;
+        let mut s = Section::new(3, "Hamiltonian and canonical equations");
+        s.say("The momenta p = ∂L/∂q\u{307} are linear in the velocities:");
+        let lagrangian = system.lagrangian();
+        for c in &system.coordinates {
+            self.put_long(&mut s, system.letter(c.momentum), &lagrangian.momentum(c.symbol));
+        }
+        s.say("Solved for the velocities, they give the Hamiltonian H = Σ p q\u{307} − L. It is T + U, because T is quadratic in the velocities and U does not contain them:");
+        let left = Formula::named("H");
+        if let Some(body) = &system.body {
+            let square = |k: usize| {
+                half_square(&RationalFunction::one(), &body.momenta[k].into()).over(&body.moments[k])
+            };
+            let terms: Vec<_> = (0..3).filter_map(square).collect();
+            put(&mut s, left.equals(system.sum(&terms)));
+            for k in 0..3 {
+                let value = system.with_velocities(&body.values[k].times(&body.moments[k]), &h.velocities);
+                if let Some(value) = value {
+                    put(&mut s, system.letter(body.momenta[k]).equals(value.to_formula(&system.symbols)));
+                }
+            }
+        } else {
+            put(&mut s, left.equals(system.sum(&h.terms)));
+        }
+        s.say("The canonical equations are q\u{307} = ∂H/∂p and p\u{307} = −∂H/∂q:");
+        for c in &system.coordinates {
+            let rate = self.derivative_of(h, c.momentum);
+            self.put_long(&mut s, self.dotted(c.symbol), &rate);
+        }
+        for c in &system.coordinates {
+            let force = -self.derivative_of(h, c.symbol);
+            self.put_long(&mut s, self.dotted(c.momentum), &force);
+        }
+        s
+    }
+
+    fn derivative_of(&self, h: &Hamiltonian, symbol: Symbol) -> RationalFunction {
+        h.function.derivative(symbol)
+    }
+
+    fn constants(&self) -> Section {
+        let system = &self.system;
+        let mut s = Section::new(4, "Conserved quantities");
+        let cyclic: Vec<_> = system.coordinates.iter().filter(|c| system.is_cyclic(c)).collect();
+        for c in &cyclic {
+            let letter = system.letter(c.symbol).to_text();
+            let momentum = system.letter(c.momentum).to_text();
+            s.say(format!("{letter} is cyclic: L contains {letter}\u{307} only, and not {letter} itself. So {momentum} is constant."));
+        }
+        s.say("L does not depend on time explicitly, so the energy function h = Σ q\u{307} ∂L/∂q\u{307} − L is constant. It is the energy E = T + U:");
+        let coordinates: Vec<_> = system.coordinates.iter().map(|c| c.symbol).collect();
+        let is_energy = system.lagrangian().energy_function(&coordinates) == system.energy();
+        let mut terms = system.kinetic.clone();
+        terms.push(system.potential.clone());
+        terms.retain(|term| !term.is_zero());
+        let e = Formula::named("E");
+        if is_energy {
+            let sum = Formula::Sum(vec![Formula::named("T"), Formula::named("U")]);
+            put(&mut s, if system.body.is_some() { e.equals(sum) } else { e.equals(sum).equals(system.sum(&terms)) });
+        }
+        s
+    }
+
+    fn values(&self, course: Option<&Course>, h: Option<&Hamiltonian>) -> Section {
+        let system = &self.system;
+        let mut s = Section::new(6, "Values of this scenario");
+        for c in &system.constants {
+            let unit = if c.unit.is_empty() { String::new() } else { format!(" {}", c.unit) };
+            s.line(format!("{} = {}{unit}: {}", system.letter(c.symbol).to_text(), n(c.value), c.meaning));
+        }
+        let Some(course) = course else { return s };
+        s.say("At the first instant:");
+        let value = |f: &RationalFunction| course.first(f).map_or_else(|| "—".to_owned(), n);
+        for c in &system.coordinates {
+            let [q, v, p] = [c.symbol.into(), velocity(c.symbol), c.momentum.into()].map(|f| value(&f));
+            let [letter, rate, momentum] =
+                [system.letter(c.symbol), self.dotted(c.symbol), system.letter(c.momentum)].map(|f| f.to_text());
+            let unit = if c.unit == "m" { "kg·m/s" } else { "kg·m²/s" };
+            s.line(format!("{letter} = {q} {0},  {rate} = {v} {0}/s,  {momentum} = {p} {unit}", c.unit));
+        }
+        s.line(format!(
+            "T = {} J,  U = {} J,  E = T + U = {} J",
+            value(&system.kinetic_energy()),
+            value(&system.potential),
+            value(&system.energy())
+        ));
+        if let Some(h) = h {
+            s.line(format!("H = {} J", value(&h.function)));
+        }
+        s
+    }
+
+    /// Evaluates all equations and conserved quantities along the motion.
+    fn rows(&self, course: &Course, h: Option<&Hamiltonian>) -> Result<Vec<Row>, LagrangianError> {
+        let system = &self.system;
+        let lagrangian = system.lagrangian();
+        let mut rows = Vec::new();
+        let mut add = |name: String, kind, departure: Option<Departure>| match departure {
+            Some(departure) => rows.push(Row { name, kind, departure }),
+            None => rows.push(Row { name, kind, departure: Departure { relative: f64::NAN, time: 0.0 } }),
+        };
+        let text = |formula: Formula| formula.to_text();
+        for c in &system.coordinates {
+            let force = course.energy() / c.size;
+            match h {
+                None => {
+                    let equation = lagrangian.lagrange_equation(c.symbol, &system.symbols);
+                    let name = format!("Lagrange's equation for {}", text(system.letter(c.symbol)));
+                    add(name, EQUATION, course.residual(&equation, force));
+                }
+                Some(h) => {
+                    let [q, p] = [c.symbol, c.momentum];
+                    let forward = velocity(q) - h.function.derivative(p);
+                    let backward = velocity(p) + h.function.derivative(q);
+                    let name = |of, by| format!("{} = {}∂H/∂{}", text(self.dotted(of)), if of == q { "" } else { "−" }, text(system.letter(by)));
+                    add(name(q, p), EQUATION, course.residual(&forward, course.rate() * c.size));
+                    add(name(p, q), EQUATION, course.residual(&backward, force));
+                }
+            }
+        }
+        for (name, equation) in &self.others {
+            let size = system.coordinates.first().map_or(1.0, |c| c.size);
+            add(name.clone(), EQUATION, course.residual(equation, course.energy() / size));
+        }
+        for c in system.coordinates.iter().filter(|c| system.is_cyclic(c)) {
+            let scale = if course.rate() > 0.0 { course.energy() / (course.rate() * c.size) } else { 0.0 };
+            let drift = course.drift(&lagrangian.momentum(c.symbol), scale);
+            add(text(system.letter(c.momentum)), CONSTANT, drift);
+        }
+        match h {
+            None => add("E".to_owned(), CONSTANT, course.drift(&system.energy(), course.energy())),
+            Some(h) => add("H".to_owned(), CONSTANT, course.drift(&h.function, course.energy())),
+        }
+        // Negated so that NaN is an error.
+        match rows.iter().find(|row| row.kind == EQUATION && !(row.departure.relative <= TOLERANCE)) {
+            None => Ok(rows),
+            Some(row) => Err(LagrangianError::NotVerified {
+                equation: row.name.clone(),
+                residual: row.departure.relative,
+                time: row.departure.time,
+            }),
+        }
+    }
+
+    fn verification(&self, course: Option<&Course>, rows: Option<&[Row]>) -> Section {
+        let mut s = Section::new(7, "Verification along the computed motion");
+        let (Some(course), Some(rows)) = (course, rows) else {
+            s.say(match &self.motion {
+                None => "The scenario has no [run], so there is no motion along which to verify the equations.",
+                Some(_) => "The coordinates are singular at all samples of the run: θ = 0 or 180°, where φ and ψ are not defined. The equations are not verified.",
+            });
+            return s;
+        };
+        let left_out = self.motion.as_ref().map_or(0, |motion| motion.left_out);
+        s.say(format!(
+            "The motion is computed from Euler's equations or in closed form, without these equations. Its coordinates, velocities and accelerations are put into them at {}. Residuals are relative to the largest term of the equation along the run, drifts to the \
+             largest term of the quantity.",
+            counted(course.count(), "sample")
+        ));
+        if left_out > 0 {
+            s.say(format!(
+                "{} left out: sin θ < 0.01 there, and φ and ψ are nearly undefined.",
+                counted(left_out, "sample")
+            ));
+        }
+        let cells = |row: &Row| {
+            vec![row.name.clone(), row.kind.to_owned(), error(row.departure.relative), n(row.departure.time)]
+        };
+        s.table(&["quantity", "kind", "largest", "at t, s"], rows.iter().map(cells).collect());
+        s
+    }
+
+    fn dotted(&self, symbol: Symbol) -> Formula {
+        symbol.dot().map_or_else(|| Formula::text("?"), |velocity| self.system.letter(velocity))
+    }
+
+    /// Writes `left = value`; a long value as the sum of its parts with I₁, I₂ and I₃.
+    fn put_long(&self, s: &mut Section, left: Formula, value: &RationalFunction) {
+        let symbols = &self.system.symbols;
+        let formula = value.collected(&self.system.rates(), symbols);
+        if columns(&formula) <= LONGEST {
+            return put(s, left.equals(formula));
+        }
+        let terms = match formula {
+            Formula::Sum(terms) => terms,
+            other => vec![other],
+        };
+            put(s, left.equals(Formula::sum(terms)));
+    }
+}
+
+/// Kinds of rows of the verification.
+const EQUATION: &str = "relative residual";
+const CONSTANT: &str = "relative drift";
+
+/// Adds a formula.
+pub(super) fn put(s: &mut Section, formula: Formula) {
+    s.formula(&formula.to_text(), &formula.to_latex());
+}
+
+/// Formats a number.
+pub(super) fn n(x: f64) -> String {
+    number(x, DIGITS)
+}
+
+/// Returns `d²f/dq²`.
+pub(super) fn second_derivative(function: Formula, variable: Formula) -> Formula {
+    let d = Formula::Letter("d".to_owned(), Style::Italic).squared();
+    let below = Formula::Differential { is_partial: false, of: Box::new(variable.squared()) };
+    Formula::product(vec![d, function]).over(below)
+}
+
+fn columns(formula: &Formula) -> usize {
+    polhode_document::layout::width(&formula.to_text())
+}

@@ -1,21 +1,19 @@
 //! A recognized system, and its solution as a document.
 
 use polhode::motion::Scenario;
-use polhode_algebra::{Formula, RationalFunction, Relation, Style, Symbol};
+use polhode_algebra::{Formula, RationalFunction, Relation, Style, Symbol, Variable};
 use polhode_document::number::{counted, error, number};
 use polhode_document::{Document, Section};
 
 use super::Formalism;
 use super::error::LagrangianError;
-use super::system::{Hamiltonian, System, half_square, velocity};
+use super::system::{Coordinate, Hamiltonian, System, half_square, velocity};
 use super::verify::{Course, Departure, Motion};
 
 /// Significant digits.
 const DIGITS: usize = 6;
 /// Largest relative residual of an equation that holds.
-const TOLERANCE: f64 = 1e-6;
-/// Largest width of an equation on one line, columns.
-const LONGEST: usize = 84;
+const TOLERANCE: f64 = 1e-8;
 
 /// Recognized system with what its document states.
 pub(super) struct Case {
@@ -30,8 +28,10 @@ pub(super) struct Case {
     pub oscillations: Section,
     /// Motion of the run; `None` without a run.
     pub motion: Option<Motion>,
-    /// Further equations to verify, `left side = 0`, with their names and scales.
+    /// Further equations to verify, `left side = 0`, with their names.
     pub others: Vec<(String, RationalFunction)>,
+    /// Further conserved quantity, with its name and the reason.
+    pub conserved: Option<(&'static str, RationalFunction, &'static str)>,
 }
 
 /// Row of the verification.
@@ -48,12 +48,13 @@ impl Case {
         scenario: &Scenario,
         formalism: Formalism,
     ) -> Result<Document, LagrangianError> {
-        let hamiltonian = match formalism {
-            Formalism::Lagrange => None,
-            Formalism::Hamilton => Some(self.system.hamiltonian().ok_or_else(|| {
-                LagrangianError::because("its velocities do not follow from the momenta")
-            })?),
-        };
+        let hamiltonian =
+            match formalism {
+                Formalism::Lagrange => None,
+                Formalism::Hamilton => Some(self.system.hamiltonian().ok_or_else(|| {
+                    LagrangianError::because("its velocities do not follow from the momenta")
+                })?),
+            };
         let (title, equations) = match &hamiltonian {
             None => ("Lagrange's equations", self.lagrange()),
             Some(h) => ("Hamilton's equations", self.hamilton(h)),
@@ -70,7 +71,7 @@ impl Case {
                 coordinates,
                 self.energies(),
                 equations,
-                self.constants(),
+                self.constants(hamiltonian.is_some()),
                 oscillations,
                 self.values(course.as_ref(), hamiltonian.as_ref()),
                 self.verification(course.as_ref(), rows.as_deref()),
@@ -84,7 +85,10 @@ impl Case {
         let mut lines = vec![format!("{title} of {}, with {degrees} of freedom.", self.name)];
         if let Some(rows) = rows {
             let largest = |kind: &str| {
-                rows.iter().filter(|row| row.kind == kind).map(|row| row.departure.relative).fold(0.0, f64::max)
+                rows.iter()
+                    .filter(|row| row.kind == kind)
+                    .map(|row| row.departure.relative)
+                    .fold(0.0, f64::max)
             };
             lines.push(format!(
                 "Along the computed motion the equations hold to {} (largest relative residual), and the conserved quantities are constant to {}.",
@@ -121,30 +125,35 @@ impl Case {
         let system = &self.system;
         let lagrangian = system.lagrangian();
         let mut s = Section::new(3, "Momenta and equations of motion");
-        s.say("Each coordinate q has the momentum p = ∂L/∂q\u{307}, which for an angle is an angular momentum:");
+        s.say(
+            "Each coordinate q has the momentum p = ∂L/∂q\u{307}, which for an angle is an angular momentum:",
+        );
         for c in &system.coordinates {
             let l = Formula::named("L");
             let left = system.letter(c.momentum).equals(l.derivative(self.dotted(c.symbol), true));
-            self.put_long(&mut s, left, &lagrangian.momentum(c.symbol));
+            put(&mut s, left.equals(self.momentum(c)));
         }
         s.say("and Lagrange's equation (d/dt) ∂L/∂q\u{307} − ∂L/∂q = 0:");
         for c in &system.coordinates {
             let l = || Formula::named("L");
             if system.is_cyclic(c) {
                 let rate = l().derivative(self.dotted(c.symbol), true).time_derivative();
-                put(&mut s, rate.equals(Formula::integer(0)).related(
-                    Relation::Implies,
-                    Formula::List(vec![system.letter(c.momentum).equals(Formula::text("constant"))]),
-                ));
+                put(
+                    &mut s,
+                    rate.equals(Formula::integer(0)).related(
+                        Relation::Implies,
+                        Formula::List(vec![system.letter(c.momentum).equals(Formula::text("constant"))]),
+                    ),
+                );
+                continue;
+            }
+            if let Some(body) = &system.body {
+                let rate = self.momentum(c).time_derivative();
+                put(&mut s, rate.equals(system.sum(&body.derivative(c.symbol))));
                 continue;
             }
             let equation = lagrangian.lagrange_equation(c.symbol, &system.symbols);
-            let formula = equation.collected(&system.rates(), &system.symbols);
-            if columns(&formula) > LONGEST {
-                self.put_long(&mut s, Formula::integer(0), &equation);
-            } else {
-                put(&mut s, formula.equals(Formula::integer(0)));
-            }
+            put(&mut s, system.collected(&equation, &system.rates()).equals(Formula::integer(0)));
         }
         s
     }
@@ -153,53 +162,64 @@ impl Case {
         let system = &self.system;
         let mut s = Section::new(3, "Hamiltonian and canonical equations");
         s.say("The momenta p = ∂L/∂q\u{307} are linear in the velocities:");
-        let lagrangian = system.lagrangian();
         for c in &system.coordinates {
-            self.put_long(&mut s, system.letter(c.momentum), &lagrangian.momentum(c.symbol));
+            put(&mut s, system.letter(c.momentum).equals(self.momentum(c)));
         }
         s.say("Solved for the velocities, they give the Hamiltonian H = Σ p q\u{307} − L. It is T + U, because T is quadratic in the velocities and U does not contain them:");
         let left = Formula::named("H");
+        let momenta: Vec<_> = system.coordinates.iter().map(|c| Variable::Symbol(c.momentum)).collect();
         if let Some(body) = &system.body {
             let square = |k: usize| {
                 half_square(&RationalFunction::one(), &body.momenta[k].into()).over(&body.moments[k])
             };
             let terms: Vec<_> = (0..3).filter_map(square).collect();
             put(&mut s, left.equals(system.sum(&terms)));
-            for k in 0..3 {
-                let value = system.with_velocities(&body.values[k].times(&body.moments[k]), &h.velocities);
-                if let Some(value) = value {
-                    put(&mut s, system.letter(body.momenta[k]).equals(value.to_formula(&system.symbols)));
-                }
+            for (letter, value) in body.momenta.iter().zip(system.body_momenta(h)) {
+                let value = system.collected(&value, &momenta);
+                put(&mut s, system.letter(*letter).equals(value));
             }
         } else {
             put(&mut s, left.equals(system.sum(&h.terms)));
         }
         s.say("The canonical equations are q\u{307} = ∂H/∂p and p\u{307} = −∂H/∂q:");
         for c in &system.coordinates {
-            let rate = self.derivative_of(h, c.momentum);
-            self.put_long(&mut s, self.dotted(c.symbol), &rate);
+            put(&mut s, self.dotted(c.symbol).equals(system.sum(&system.slope(h, c.momentum))));
         }
         for c in &system.coordinates {
-            let force = -self.derivative_of(h, c.symbol);
-            self.put_long(&mut s, self.dotted(c.momentum), &force);
+            let force: Vec<_> = system.slope(h, c.symbol).iter().map(|term| -term).collect();
+            put(&mut s, self.dotted(c.momentum).equals(system.sum(&force)));
         }
         s
     }
 
-    fn derivative_of(&self, h: &Hamiltonian, symbol: Symbol) -> RationalFunction {
-        h.function.derivative(symbol)
+    /// Returns ∂L/∂q̇ as a sum over the velocities, or over the components of ω.
+    fn momentum(&self, c: &Coordinate) -> Formula {
+        let system = &self.system;
+        match (&system.body, c.symbol.dot()) {
+            (Some(body), Some(velocity)) => system.sum(&body.derivative(velocity)),
+            _ => system.collected(&system.lagrangian().momentum(c.symbol), &system.rates()),
+        }
     }
 
-    fn constants(&self) -> Section {
+    fn constants(&self, is_hamiltonian: bool) -> Section {
         let system = &self.system;
         let mut s = Section::new(4, "Conserved quantities");
         let cyclic: Vec<_> = system.coordinates.iter().filter(|c| system.is_cyclic(c)).collect();
         for c in &cyclic {
             let letter = system.letter(c.symbol).to_text();
             let momentum = system.letter(c.momentum).to_text();
-            s.say(format!("{letter} is cyclic: L contains {letter}\u{307} only, and not {letter} itself. So {momentum} is constant."));
+            s.say(match is_hamiltonian {
+                false => format!("{letter} is cyclic: L contains {letter}\u{307}, and not {letter} itself. So {momentum} is constant."),
+                true => format!("{letter} is cyclic: H does not contain {letter}. So {momentum} is constant."),
+            });
         }
-        s.say("L does not depend on time explicitly, so the energy function h = Σ q\u{307} ∂L/∂q\u{307} − L is constant. It is the energy E = T + U:");
+        if let Some((.., why)) = &self.conserved {
+            s.say(why);
+        }
+        s.say(match is_hamiltonian {
+            false => "L does not depend on time explicitly, so the energy function h = Σ q\u{307} ∂L/∂q\u{307} − L is constant. It is the energy E = T + U:",
+            true => "H does not depend on time explicitly, so dH/dt = ∂H/∂t = 0. H is the energy E = T + U:",
+        });
         let coordinates: Vec<_> = system.coordinates.iter().map(|c| c.symbol).collect();
         let is_energy = system.lagrangian().energy_function(&coordinates) == system.energy();
         let mut terms = system.kinetic.clone();
@@ -208,7 +228,10 @@ impl Case {
         let e = Formula::named("E");
         if is_energy {
             let sum = Formula::Sum(vec![Formula::named("T"), Formula::named("U")]);
-            put(&mut s, if system.body.is_some() { e.equals(sum) } else { e.equals(sum).equals(system.sum(&terms)) });
+            put(
+                &mut s,
+                if system.body.is_some() { e.equals(sum) } else { e.equals(sum).equals(system.sum(&terms)) },
+            );
         }
         s
     }
@@ -226,7 +249,8 @@ impl Case {
         for c in &system.coordinates {
             let [q, v, p] = [c.symbol.into(), velocity(c.symbol), c.momentum.into()].map(|f| value(&f));
             let [letter, rate, momentum] =
-                [system.letter(c.symbol), self.dotted(c.symbol), system.letter(c.momentum)].map(|f| f.to_text());
+                [system.letter(c.symbol), self.dotted(c.symbol), system.letter(c.momentum)]
+                    .map(|f| f.to_text());
             let unit = if c.unit == "m" { "kg·m/s" } else { "kg·m²/s" };
             s.line(format!("{letter} = {q} {0},  {rate} = {v} {0}/s,  {momentum} = {p} {unit}", c.unit));
         }
@@ -263,8 +287,16 @@ impl Case {
                 Some(h) => {
                     let [q, p] = [c.symbol, c.momentum];
                     let forward = velocity(q) - h.function.derivative(p);
-                    let backward = velocity(p) + h.function.derivative(q);
-                    let name = |of, by| format!("{} = {}∂H/∂{}", text(self.dotted(of)), if of == q { "" } else { "−" }, text(system.letter(by)));
+                    let rate = lagrangian.momentum(q).time_derivative(&system.symbols);
+                    let backward = rate + h.function.derivative(q);
+                    let name = |of, by| {
+                        format!(
+                            "{} = {}∂H/∂{}",
+                            text(self.dotted(of)),
+                            if of == q { "" } else { "−" },
+                            text(system.letter(by))
+                        )
+                    };
                     add(name(q, p), EQUATION, course.residual(&forward, course.rate() * c.size));
                     add(name(p, q), EQUATION, course.residual(&backward, force));
                 }
@@ -278,6 +310,9 @@ impl Case {
             let scale = if course.rate() > 0.0 { course.energy() / (course.rate() * c.size) } else { 0.0 };
             let drift = course.drift(&lagrangian.momentum(c.symbol), scale);
             add(text(system.letter(c.momentum)), CONSTANT, drift);
+        }
+        if let Some((name, quantity, _)) = &self.conserved {
+            add((*name).to_owned(), CONSTANT, course.drift(quantity, 0.0));
         }
         match h {
             None => add("E".to_owned(), CONSTANT, course.drift(&system.energy(), course.energy())),
@@ -305,13 +340,13 @@ impl Case {
         };
         let left_out = self.motion.as_ref().map_or(0, |motion| motion.left_out);
         s.say(format!(
-            "The motion is computed from Euler's equations or in closed form, without these equations. Its coordinates, velocities and accelerations are put into them at {}. Residuals are relative to the largest term of the equation along the run, drifts to the \
-             largest term of the quantity.",
+            "The motion is computed from Euler's equations or in closed form, without these equations. Its coordinates, velocities and accelerations are put into them at {}; the accelerations follow from the forces and torques. Residuals are relative to the largest term of the equation along the run, drifts to the \
+             largest term of the quantity. If this is less than a thousandth of what the kinetic energy makes possible, they are relative to that.",
             counted(course.count(), "sample")
         ));
         if left_out > 0 {
             s.say(format!(
-                "{} left out: sin θ < 0.01 there, and φ and ψ are nearly undefined.",
+                "Left out: {} with sin θ < 0.01, where φ and ψ are nearly undefined.",
                 counted(left_out, "sample")
             ));
         }
@@ -324,20 +359,6 @@ impl Case {
 
     fn dotted(&self, symbol: Symbol) -> Formula {
         symbol.dot().map_or_else(|| Formula::text("?"), |velocity| self.system.letter(velocity))
-    }
-
-    /// Writes `left = value`; a long value as the sum of its parts with I₁, I₂ and I₃.
-    fn put_long(&self, s: &mut Section, left: Formula, value: &RationalFunction) {
-        let symbols = &self.system.symbols;
-        let formula = value.collected(&self.system.rates(), symbols);
-        if columns(&formula) <= LONGEST {
-            return put(s, left.equals(formula));
-        }
-        let terms = match formula {
-            Formula::Sum(terms) => terms,
-            other => vec![other],
-        };
-            put(s, left.equals(Formula::sum(terms)));
     }
 }
 
@@ -360,8 +381,4 @@ pub(super) fn second_derivative(function: Formula, variable: Formula) -> Formula
     let d = Formula::Letter("d".to_owned(), Style::Italic).squared();
     let below = Formula::Differential { is_partial: false, of: Box::new(variable.squared()) };
     Formula::product(vec![d, function]).over(below)
-}
-
-fn columns(formula: &Formula) -> usize {
-    polhode_document::layout::width(&formula.to_text())
 }

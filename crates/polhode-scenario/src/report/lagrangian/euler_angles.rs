@@ -56,7 +56,8 @@ impl Axes {
 
     /// Returns the motion of a rotor in Euler angles, with accelerations from Euler's equations.
     pub(super) fn motion(&self, rotor: &Rotor, samples: &[Sample]) -> Motion {
-        let instants: Vec<Instant> = samples.iter().filter_map(|sample| self.instant(rotor, sample)).collect();
+        let instants: Vec<Instant> =
+            samples.iter().filter_map(|sample| self.instant(rotor, sample)).collect();
         Motion { left_out: samples.len() - instants.len(), instants }
     }
 

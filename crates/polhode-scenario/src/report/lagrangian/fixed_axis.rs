@@ -1,7 +1,7 @@
 //! Bodies that turn about a fixed axis: the pendulum and the torsion pendulum.
 
-use polhode::math::{Acceleration, AngularVelocity, Body, Direction, Rotation, Space};
-use polhode::motion::torque::{Torsion, TorqueModel};
+use polhode::math::{Acceleration, AngularVelocity, Body, Direction, Rotation};
+use polhode::motion::torque::{TorqueModel, Torsion};
 use polhode::motion::{Pendulum, Sample, Scenario, State, Swing, Trajectory};
 use polhode_algebra::{Formula, Kind, RationalFunction, Relation, Symbol, Symbols};
 use polhode_document::Section;
@@ -67,9 +67,13 @@ pub(super) fn pendulum(
     if let Swing::Oscillation { amplitude: largest, period } = swing {
         s.line(format!("at the amplitude {} the period is {} s", amplitude(largest), n(period)));
     }
-    let motion = run.map(|run| swinging(scenario, pendulum, axis, run)).transpose()?;
+    let stays = run.is_none_or(|run| stays_on(scenario, axis, run));
+    let motion = run.map(|run| swinging(scenario, pendulum, axis, run, stays)).transpose()?;
     let mut coordinates = Section::new(1, "Coordinates");
     coordinates.say("The body turns about a fixed axis: it has one degree of freedom. The coordinate θ is the angle of the centre of mass from its lowest position, positive by the right-hand rule about the axis.");
+    if !stays {
+        coordinates.say("A run holds only the pivot, and this body leaves the axis. So the motion below is the closed form of the pendulum, with the torque of gravity at each position.");
+    }
     Ok(Case {
         name: if scenario.is_all_particles() { "a pendulum of particles" } else { "a physical pendulum" },
         system,
@@ -78,6 +82,7 @@ pub(super) fn pendulum(
         oscillations: s,
         motion,
         others: Vec::new(),
+        conserved: None,
     })
 }
 
@@ -103,10 +108,13 @@ pub(super) fn torsion_pendulum(
     let along = AngularVelocity::from_array(axis.to_array());
     let moment = rotor.inertia().about_axis(axis);
     if across(plain(rotor.angular_momentum(along))) > PARALLEL * moment {
-        return Err(LagrangianError::because("the axis of the torsion is not a principal axis of the body, so that it wobbles"));
+        return Err(LagrangianError::because(
+            "the axis of the torsion is not a principal axis of the body, so that it wobbles",
+        ));
     }
     let stays = |state: &State| {
-        across(twist(state)) <= PARALLEL && across(plain(state.omega)) <= PARALLEL * (1.0 + state.omega.norm())
+        across(twist(state)) <= PARALLEL
+            && across(plain(state.omega)) <= PARALLEL * (1.0 + state.omega.norm())
     };
     let states = run.into_iter().flat_map(Trajectory::samples).map(|sample| sample.state);
     if !stays(&start) || !states.into_iter().all(|state| stays(&state)) {
@@ -144,6 +152,7 @@ pub(super) fn torsion_pendulum(
         oscillations: s,
         motion,
         others: Vec::new(),
+        conserved: None,
     })
 }
 
@@ -202,20 +211,29 @@ fn particles(
         if (from_axis - arm * distance).norm() > PARALLEL * from_axis.norm() {
             return Ok(());
         }
-        let declared = |name: &str, symbols: &mut Symbols| symbols.declare(&format!("{name}_{}", k + 1), Kind::Positive);
+        let declared =
+            |name: &str, symbols: &mut Symbols| symbols.declare(&format!("{name}_{}", k + 1), Kind::Positive);
         let m = RationalFunction::from(declared("m", &mut symbols)?);
         let r = RationalFunction::from(declared("r", &mut symbols)?);
         mass = mass + &m;
         static_moment = static_moment + &m * &r;
         moment = moment + &m * &r * &r;
-        values.push(format!("m{0} = {1} kg,  r{0} = {2} m", k + 1, n(particle.mass()), n(distance)));
+        let [m_letter, r_letter] = [&m, &r].map(|letter| letter.to_formula(&symbols).to_text());
+        values.push(format!("{m_letter} = {} kg,  {r_letter} = {} m", n(particle.mass()), n(distance)));
     }
     s.say("The body consists of particles of masses m_k at the distances r_k from the axis, negative on the other side of it. So:");
     let arm = static_moment.over(&mass).unwrap_or_else(RationalFunction::zero);
-    let with = |name: &str, f: &RationalFunction, value: &RationalFunction| f.substituted(symbols.find(name)?, value);
-    let square = with("M", square, &mass).and_then(|f| with("d", &f, &arm)).and_then(|f| with("I", &f, &moment));
+    let with = |name: &str, f: &RationalFunction, value: &RationalFunction| {
+        f.substituted(symbols.find(name)?, value)
+    };
+    let square =
+        with("M", square, &mass).and_then(|f| with("d", &f, &arm)).and_then(|f| with("I", &f, &moment));
     put(s, Formula::named("I").equals(moment.to_formula(&symbols)));
-    put(s, Formula::product(vec![Formula::named("M"), Formula::named("d")]).equals(static_moment.to_formula(&symbols)));
+    put(
+        s,
+        Formula::product(vec![Formula::named("M"), Formula::named("d")])
+            .equals(static_moment.to_formula(&symbols)),
+    );
     if let Some(square) = square {
         put(s, Formula::named("omega_0").squared().equals(square.to_formula(&symbols)));
     }
@@ -223,36 +241,39 @@ fn particles(
     Ok(())
 }
 
-/// Returns the motion of a pendulum: that of the run if the body stays on its axis there, and the
-/// closed form otherwise, because a run holds the pivot only.
+/// Returns true if a body stays on an axis along its run, which holds the pivot only.
+fn stays_on(scenario: &Scenario, axis: Direction<Body>, run: &Trajectory) -> bool {
+    let start = scenario.start().attitude * axis;
+    let fastest = run.samples().iter().map(|sample| sample.state.omega.norm()).fold(0.0, f64::max);
+    let stays = |State { attitude, omega, .. }: &State| {
+        omega.cross(axis).norm() <= PARALLEL * fastest && (*attitude * axis).cross(start).norm() <= PARALLEL
+    };
+    run.samples().iter().all(|sample| stays(&sample.state))
+}
+
+/// Returns the motion of a pendulum: that of the run, or the closed form if the body leaves its axis
+/// there.
 fn swinging(
     scenario: &Scenario,
     pendulum: &Pendulum,
     axis: Direction<Body>,
     run: &Trajectory,
+    stays: bool,
 ) -> Result<Motion, LagrangianError> {
     let rotor = scenario.rotor();
     let Some(TorqueModel::Gravity(gravity)) = scenario.torques().first() else {
         return Err(LagrangianError::because("a pendulum needs gravity"));
     };
     let start = scenario.start();
-    let turned = |angle: f64| Rotation::from_axis_angle(axis, angle);
-    let fastest = run.samples().iter().map(|sample| sample.state.omega.norm()).fold(0.0, f64::max);
-    let stays = |sample: &Sample| {
-        let axis_now: Direction<Space> = sample.state.attitude * axis;
-        sample.state.omega.cross(axis).norm() <= PARALLEL * fastest
-            && axis_now.cross(start.attitude * axis).norm() <= PARALLEL
-    };
-    let is_on_axis = run.samples().iter().all(stays);
+    let closed = pendulum.motion(pendulum.angle(), axis.dot(start.omega))?;
     let mut instants = Vec::new();
     for sample in run.samples() {
-        let (state, acceleration) = if is_on_axis {
+        let (state, acceleration) = if stays {
             (sample.state, axis.dot(rotor.acceleration(sample.state.omega, sample.torque)))
         } else {
-            let closed = pendulum.motion(pendulum.angle(), axis.dot(start.omega))?;
             let (angle, rate) = closed.at(sample.state.time - start.time);
-            let turn: Rotation<Body, Body> =
-                turned(angle - pendulum.angle()).map_err(|_| LagrangianError::because("its angle is not finite"))?;
+            let turn: Rotation<Body, Body> = Rotation::from_axis_angle(axis, angle - pendulum.angle())
+                .map_err(|_| LagrangianError::because("its angle is not finite"))?;
             let omega = AngularVelocity::from_array((axis * rate).to_array());
             let state = State { time: sample.state.time, attitude: start.attitude * turn, omega };
             let torque = TorqueModel::Gravity(*gravity).torque(rotor, &state);

@@ -16,7 +16,11 @@ use super::verify::{Instant, Motion, plain};
 const STRAIGHT: f64 = 1e-9;
 
 /// Returns T = ½ M ẋ² + ½ I φ̇².
-pub(super) fn kinetic(mass: &RationalFunction, moment: &RationalFunction, [x, phi]: [Symbol; 2]) -> [RationalFunction; 2] {
+pub(super) fn kinetic(
+    mass: &RationalFunction,
+    moment: &RationalFunction,
+    [x, phi]: [Symbol; 2],
+) -> [RationalFunction; 2] {
     [half_square(mass, &velocity(x)), half_square(moment, &velocity(phi))]
 }
 
@@ -58,7 +62,12 @@ pub(super) fn rolling(
     let is_sloping = slope.abs() > STRAIGHT;
     let mut system = System::new();
     let mass = system.constant("M", rotor.mass(), "kg", "mass")?;
-    let moment = system.constant("I", rotor.inertia().about_axis(body_axis), "kg·m²", "moment about the axis of rolling")?;
+    let moment = system.constant(
+        "I",
+        rotor.inertia().about_axis(body_axis),
+        "kg·m²",
+        "moment about the axis of rolling",
+    )?;
     let radius = system.constant("a", line.radius, "m", "distance of the centre from the ground")?;
     let mut weight = RationalFunction::zero();
     if is_sloping {
@@ -94,10 +103,19 @@ pub(super) fn rolling(
         s.say("The ground is level: every position is an equilibrium, a neutral one without oscillations, and the velocity is constant.");
     }
     let motion = run.map(|_| Motion {
-        instants: states.iter().map(|state| line.instant(scenario, ground, start, state, [phi, lambda])).collect(),
+        instants: states
+            .iter()
+            .map(|state| line.instant(scenario, ground, start, state, [phi, lambda]))
+            .collect(),
         left_out: 0,
     });
-    s.line(format!("friction along x at the start: λ = {} N", n(polhode_document::number::tidy_beside([line.along.dot(start.friction), 0.0, 0.0], start.normal_force)[0])));
+    s.line(format!(
+        "friction along x at the start: λ = {} N",
+        n(polhode_document::number::tidy_beside(
+            [line.along.dot(start.friction), 0.0, 0.0],
+            start.normal_force
+        )[0])
+    ));
     Ok(Case {
         name: match ground.contact.surface.shape() {
             SurfaceShape::Rim { .. } => "a rolling disk",
@@ -110,6 +128,7 @@ pub(super) fn rolling(
         oscillations: s,
         motion,
         others,
+        conserved: None,
     })
 }
 
@@ -138,7 +157,7 @@ fn multiplier(
     for q in [x, phi] {
         let left = lagrangian.lagrange_equation(q, symbols);
         let right = RationalFunction::from(lambda) * constraint.derivative(q);
-        put(s, left.expanded(symbols).equals(right.to_formula(symbols)));
+        put(s, system.collected(&left, &[]).equals(right.to_formula(symbols)));
         equations.push((format!("equation of {} with λ", system.letter(q).to_text()), left - right));
     }
     let force = lagrangian.lagrange_equation(x, symbols).substituted(acceleration, &solved)?;
@@ -148,7 +167,11 @@ fn multiplier(
 }
 
 impl Line {
-    fn of(scenario: &Scenario, ground: &GroundContact, start: &ContactState) -> Result<Self, LagrangianError> {
+    fn of(
+        scenario: &Scenario,
+        ground: &GroundContact,
+        start: &ContactState,
+    ) -> Result<Self, LagrangianError> {
         let contact = &ground.contact;
         let because = |why: &str| Err(LagrangianError::because(why));
         if !matches!(contact.ground.shape(), GroundShape::Plane) || contact.ground.turning() != 0.0 {
@@ -165,10 +188,12 @@ impl Line {
         let arm = plain(start.center - start.contact);
         let radius = normal.dot(arm);
         if (arm - normal * radius).norm() > STRAIGHT * radius {
-            return because("the centre of mass is not above the point of contact: the body is tilted or unbalanced");
+            return because(
+                "the centre of mass is not above the point of contact: the body is tilted or unbalanced",
+            );
         }
-        let offset: Direction<Space> = start.state.attitude
-            * plain(contact.surface.center() - scenario.body().center_of_mass());
+        let offset: Direction<Space> =
+            start.state.attitude * plain(contact.surface.center() - scenario.body().center_of_mass());
         if normal.dot(offset).abs() > STRAIGHT * radius {
             return because("the centre of mass is not on the axis of the surface: the body is unbalanced");
         }
@@ -192,12 +217,16 @@ impl Line {
         let speed = state.velocity.norm();
         let across = plain(state.velocity) - self.along * self.along.dot(state.velocity);
         if across.norm() > STRAIGHT * speed {
-            return because(format!("the centre does not move along a line: at t = {time} s its velocity has another direction"));
+            return because(format!(
+                "the centre does not move along a line: at t = {time} s its velocity has another direction"
+            ));
         }
         let omega = state.state.omega_space();
         let across = plain(omega) - self.axis * self.axis.dot(omega);
         if across.norm() > STRAIGHT * omega.norm() {
-            return because(format!("the body does not only roll along its line: at t = {time} s ω has another direction"));
+            return because(format!(
+                "the body does not only roll along its line: at t = {time} s ω has another direction"
+            ));
         }
         Ok(())
     }

@@ -1,6 +1,8 @@
 //! Mechanical systems in symbols: T, U, momenta, equations of motion and the Hamiltonian.
 
-use polhode_algebra::{Formula, Kind, Matrix, RationalFunction, Symbol, SymbolError, Symbols, Variable};
+use polhode_algebra::{
+    Formula, Kind, Matrix, Monomial, Polynomial, RationalFunction, Symbol, SymbolError, Symbols, Variable,
+};
 
 /// System with up to three coordinates, whose kinetic energy is quadratic in the velocities.
 pub(super) struct System {
@@ -48,6 +50,17 @@ pub(super) struct Hamiltonian {
     /// Terms of H.
     pub terms: Vec<RationalFunction>,
     pub function: RationalFunction,
+}
+
+impl BodyRates {
+    /// Returns Σ Iₖ ωₖ ∂ωₖ/∂x term by term, which is ∂T/∂x.
+    pub(super) fn derivative(&self, symbol: Symbol) -> Vec<RationalFunction> {
+        let term = |k: usize| {
+            let slope = in_letters(self.values[k].derivative(symbol), &self.values, &self.omega);
+            slope * &self.moments[k] * RationalFunction::from(self.omega[k])
+        };
+        (0..3).map(term).filter(|term| !term.is_zero()).collect()
+    }
 }
 
 impl System {
@@ -136,6 +149,32 @@ impl System {
         Some(Hamiltonian { velocities, terms, function })
     }
 
+    /// Returns L₁, L₂, L₃ along the principal axes in coordinates and momenta.
+    pub(super) fn body_momenta(&self, h: &Hamiltonian) -> Vec<RationalFunction> {
+        let of = |body: &BodyRates| {
+            let value =
+                |k: usize| self.with_velocities(&body.values[k].times(&body.moments[k]), &h.velocities);
+            (0..3).map(value).collect::<Option<Vec<_>>>()
+        };
+        self.body.as_ref().and_then(of).unwrap_or_default()
+    }
+
+    /// Returns ∂H/∂x term by term; with the letters L₁, L₂, L₃, where H = Σ Lₖ²/2Iₖ.
+    pub(super) fn slope(&self, h: &Hamiltonian, symbol: Symbol) -> Vec<RationalFunction> {
+        let mut terms: Vec<_> = match &self.body {
+            None => h.terms.iter().map(|term| term.derivative(symbol)).collect(),
+            Some(body) => {
+                let letters = body.momenta.iter().zip(&body.moments);
+                let factors = letters.filter_map(|(l, moment)| RationalFunction::from(*l).over(moment));
+                let values = self.body_momenta(h);
+                let slope = |l: &RationalFunction| in_letters(l.derivative(symbol), &values, &body.momenta);
+                factors.zip(&values).map(|(factor, l)| slope(l) * factor).collect()
+            }
+        };
+        terms.retain(|term| !term.is_zero());
+        terms
+    }
+
     /// Returns a function with values in place of the velocities.
     pub(super) fn with_velocities(
         &self,
@@ -144,6 +183,12 @@ impl System {
     ) -> Option<RationalFunction> {
         let place = |v: Variable| self.coordinates.iter().position(|c| is(v, c.symbol.dot()));
         function.replaced(&|v| Some(place(v).map_or_else(|| v.into(), |k| velocities[k].clone())))
+    }
+
+    /// Returns the value as a sum over the powers of some variables. Terms with accelerations come
+    /// first; each has its own denominator.
+    pub(super) fn collected(&self, value: &RationalFunction, variables: &[Variable]) -> Formula {
+        collected(value, variables, &self.symbols)
     }
 
     /// Returns the sum of terms, each with its common factors outside.
@@ -155,6 +200,48 @@ impl System {
     pub(super) fn letter(&self, symbol: Symbol) -> Formula {
         self.symbols.notation(symbol)
     }
+}
+
+/// Returns a value as a sum over the powers of some variables, or of all if there are none.
+pub(super) fn collected(value: &RationalFunction, variables: &[Variable], symbols: &Symbols) -> Formula {
+    let mut groups: Vec<(Monomial, Polynomial)> = Vec::new();
+    for (monomial, coefficient) in value.numerator().terms() {
+        let powers = monomial.powers().iter().filter(|(v, _)| variables.is_empty() || variables.contains(v));
+        let key =
+            powers.fold(Monomial::one(), |key, &(v, exponent)| key.times(&Monomial::power(v, exponent)));
+        let term = Polynomial::term(coefficient.clone(), monomial.clone());
+        match groups.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, sum)) => *sum = &*sum + term,
+            None => groups.push((key, term)),
+        }
+    }
+    let order = |key: &Monomial| {
+        let orders =
+            key.powers().iter().map(|(v, _)| if let Variable::Symbol(s) = v { s.order() } else { 0 });
+        orders.max().unwrap_or(0)
+    };
+    groups.sort_by(|(a, _), (b, _)| (order(b) > 1).cmp(&(order(a) > 1)).then_with(|| b.cmp(a)));
+    let term = |(_, sum): &(Monomial, Polynomial)| RationalFunction::new(sum, value.denominator());
+    let mut terms: Vec<_> = groups.iter().filter_map(term).map(|term| term.to_formula(symbols)).collect();
+    let is_positive = |term: &Formula| !matches!(term, Formula::Negative(_));
+    if let Some(first) = terms.iter().position(is_positive) {
+        terms[..=first].rotate_right(1);
+    }
+    Formula::sum(terms)
+}
+
+/// Returns the letter of a component in place of its value or negative value, such as ω₂ for ∂ω₁/∂ψ;
+/// other values are returned as they are.
+fn in_letters(value: RationalFunction, values: &[RationalFunction], letters: &[Symbol]) -> RationalFunction {
+    for (other, letter) in values.iter().zip(letters) {
+        if value == *other {
+            return (*letter).into();
+        }
+        if value == -other {
+            return -RationalFunction::from(*letter);
+        }
+    }
+    value
 }
 
 /// Returns true if a variable is a symbol.

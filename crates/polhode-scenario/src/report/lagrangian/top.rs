@@ -13,8 +13,8 @@ use polhode_document::unit::rate;
 use super::case::{Case, n, put, second_derivative};
 use super::error::LagrangianError;
 use super::euler_angles::{Axes, omega};
+use super::system::{BodyRates, System, at_angle, collected, cosine, half_square, sine};
 use super::verify::plain;
-use super::system::{BodyRates, System, at_angle, cosine, half_square, sine};
 
 /// Angle from the polar axis, as a sine, below which another polar axis is used.
 const NEAR_POLE: f64 = 0.1;
@@ -63,7 +63,8 @@ pub(super) fn heavy(
     let i3 = system.constant("I_3", axial, "kg·m²", "moment about the symmetry axis")?;
     let mass = system.constant("M", rotor.mass(), "kg", "mass")?;
     let gravity_size = system.constant("g", g.norm(), "m/s²", "gravity")?;
-    let lever = system.constant("l", rotor.lever().norm(), "m", "distance of the centre of mass from the pivot")?;
+    let lever =
+        system.constant("l", rotor.lever().norm(), "m", "distance of the centre of mass from the pivot")?;
     let angles = symmetric(&mut system, &i1, &i3)?;
     let weight = mass * gravity_size * lever;
     system.potential = gravity(&weight, angles[1]);
@@ -86,6 +87,7 @@ pub(super) fn heavy(
         oscillations: s,
         motion,
         others: Vec::new(),
+        conserved: None,
     })
 }
 
@@ -115,7 +117,7 @@ pub(super) fn free(scenario: &Scenario, run: Option<&Trajectory>) -> Result<Case
     if is_near_pole {
         axes = of(other)?;
     }
-    let point = if rotor.is_pivoted() { "the pivot" } else { "the centre of mass, which moves uniformly" };
+    let point = if rotor.is_pivoted() { "the pivot" } else { "the centre of mass" };
     let mut coordinates = Section::new(1, "Coordinates");
     coordinates.say(format!(
         "No torque acts. The rotation about {point} has three degrees of freedom. The polar axis is the {} axis of space{}. {} {ANGLES}",
@@ -125,7 +127,7 @@ pub(super) fn free(scenario: &Scenario, run: Option<&Trajectory>) -> Result<Case
     ));
     let mut system = System::new();
     let mut s = Section::new(5, "Steady motions and small oscillations");
-    let energies = match axis {
+    let (energies, square) = match axis {
         Some((axis, [across, axial])) => {
             coordinates.line(format!("axis 3 = {} in body axes", triple(axis)));
             let i1 = system.constant("I_1", across, "kg·m²", "moment across axis 3")?;
@@ -133,10 +135,15 @@ pub(super) fn free(scenario: &Scenario, run: Option<&Trajectory>) -> Result<Case
             let angles = symmetric(&mut system, &i1, &i3)?;
             rates(&system, angles, &mut coordinates);
             steady(&mut system, angles, &i1, None, &mut s);
-            "T = ½ I₁ (ω₁² + ω₂²) + ½ I₃ ω₃², in which ψ drops out:"
+            let square = momentum_square(&[i1.clone(), i1, i3], angles);
+            ("T = ½ I₁ (ω₁² + ω₂²) + ½ I₃ ω₃², in which ψ drops out:", square)
         }
         None => {
-            let names = [("I_1", a, "least moment"), ("I_2", b, "intermediate moment"), ("I_3", c, "greatest moment")];
+            let names = [
+                ("I_1", a, "least moment"),
+                ("I_2", b, "intermediate moment"),
+                ("I_3", c, "greatest moment"),
+            ];
             let mut moments = Vec::new();
             for (name, value, meaning) in names {
                 moments.push(system.constant(name, value, "kg·m²", meaning)?);
@@ -151,9 +158,10 @@ pub(super) fn free(scenario: &Scenario, run: Option<&Trajectory>) -> Result<Case
             let (rates_of_body, momenta) = (letters("omega")?, letters("L")?);
             let values = omega(angles);
             permanent(&system, angles, &moments, &mut s);
+            let square = momentum_square(&moments, angles);
             system.body = Some(BodyRates { omega: rates_of_body, momenta, moments, values });
             rates(&system, angles, &mut coordinates);
-            "Along the principal axes there are no products of inertia:"
+            ("Along the principal axes there are no products of inertia:", square)
         }
     };
     let motion = run.map(|run| axes.motion(rotor, run.samples()));
@@ -165,7 +173,18 @@ pub(super) fn free(scenario: &Scenario, run: Option<&Trajectory>) -> Result<Case
         oscillations: s,
         motion,
         others: Vec::new(),
+        conserved: Some((
+            "L²",
+            square,
+            "No torque acts, so L is constant in space; p_φ is its component along the polar axis. So L² is constant too, the sum of the squares of I₁ ω₁, I₂ ω₂ and I₃ ω₃.",
+        )),
     })
+}
+
+/// Returns L² = Σ (Iₖ ωₖ)².
+fn momentum_square(moments: &[RationalFunction; 3], angles: [Symbol; 3]) -> RationalFunction {
+    let components = omega(angles).into_iter().zip(moments).map(|(omega, moment)| omega * moment);
+    components.fold(RationalFunction::zero(), |sum, l| sum + &l * &l)
 }
 
 fn euler_angles(system: &mut System) -> Result<[Symbol; 3], LagrangianError> {
@@ -196,7 +215,7 @@ fn symmetric(
 fn rates(system: &System, angles: [Symbol; 3], s: &mut Section) {
     for (k, value) in omega(angles).iter().enumerate() {
         let letter = Formula::named(&format!("omega_{}", k + 1));
-        put(s, letter.equals(value.expanded(&system.symbols)));
+        put(s, letter.equals(system.collected(value, &[])));
     }
 }
 
@@ -230,7 +249,7 @@ fn steady(
     let condition = slope.substituted(p_phi, &p_phi_value)?.over(&-sine(theta))?;
     s.say("Steady precession at a constant θ requires dU_eff/dθ = 0. With p_φ at the rate φ\u{307} this is a quadratic equation for the rate:");
     put(s, system.letter(p_phi).equals(p_phi_value.to_formula(letters)));
-    let collected = condition.collected(&[Variable::Symbol(precession)], letters);
+    let collected = system.collected(&condition, &[Variable::Symbol(precession)]);
     put(s, collected.equals(Formula::integer(0)));
     let below = RationalFunction::from(condition.denominator().clone());
     let powers = condition.numerator().coefficients_in(Variable::Symbol(precession)).into_iter();
@@ -246,10 +265,11 @@ fn steady(
     };
     if let (Some(pair), Some(weight)) = (&pair, weight) {
         put(s, rate().equals(pair.to_formula(letters)));
-        s.say("The lower sign is the slow precession, the upper sign the fast one. For a fast top, p_ψ² ≫ 4 I₁ M g l cos θ, they are");
+        s.say("For p_ψ > 0 the lower sign is the slow precession, the upper sign the fast one. For a fast top, p_ψ² ≫ 4 I₁ M g l cos θ, they are");
         let spin = RationalFunction::from(p_psi);
         let [slow, fast] = [weight.over(&spin)?, spin.over(&(i1 * cosine(theta)))?];
-        let about = |value: &RationalFunction| rate().related(Relation::Approximate, value.to_formula(letters));
+        let about =
+            |value: &RationalFunction| rate().related(Relation::Approximate, value.to_formula(letters));
         put(s, Formula::List(vec![about(&slow), about(&fast)]));
     }
     s.say("Small nutations about it are harmonic, with Ω² = (d²U_eff/dθ²)/I₁ at constant p_φ and p_ψ. With p_ψ from the condition:");
@@ -260,7 +280,7 @@ fn steady(
     let second = slope.derivative(theta).substituted(p_phi, &p_phi_value)?.substituted(p_psi, &spin)?;
     let square = second.over(i1)?;
     let nutation = Formula::named("Omega").squared();
-    put(s, nutation.equals(square.expanded(letters)));
+    put(s, nutation.equals(system.collected(&square, &[])));
     match weight {
         None => s.say("The nutation has the rate of the precession: in space axis 3 moves on a cone about L, whatever the polar axis."),
         Some(_) => sleeping(system, theta, &effective, [p_phi, p_psi], s)?,
@@ -295,7 +315,7 @@ fn turning(
     })?;
     s.say("At the turning points θ\u{307} = 0, E_eff = U_eff. With u = cos θ, u\u{307}² = θ\u{307}² sin² θ is a polynomial in u, and u oscillates between two of its roots:");
     let letter = Formula::named("u").accented(polhode_algebra::Accent::Dot).squared();
-    put(s, letter.equals(cubic.collected(&[Variable::Symbol(u)], &symbols)));
+    put(s, letter.equals(collected(&cubic, &[Variable::Symbol(u)], &symbols)));
     Some(())
 }
 
@@ -311,7 +331,8 @@ fn sleeping(
     let second = at_angle(&upright.derivative(theta).derivative(theta), theta, [0, 1])?;
     s.say("The sleeping top is upright, with p_φ = p_ψ. It is stable if U_eff has a minimum at θ = 0:");
     let derivative = second_derivative(Formula::named("U_eff"), system.letter(theta));
-    let value = derivative.equals(second.expanded(&system.symbols)).related(Relation::Greater, Formula::integer(0));
+    let value =
+        derivative.equals(system.collected(&second, &[])).related(Relation::Greater, Formula::integer(0));
     put(s, Formula::List(vec![system.letter(theta).equals(Formula::integer(0)), value]));
     Some(())
 }
@@ -322,7 +343,12 @@ fn numbers(system: &System, top: &HeavyTop, steady: &Steady, s: &mut Section) {
     let middle = 0.5 * (highest + lowest);
     let [_, axial] = top.moments();
     let (theta, p_psi) = (system.coordinates[1].symbol, system.coordinates[2].momentum);
-    s.line(format!("turning points: θ = {}° and {}°: {}", n(highest.to_degrees()), n(lowest.to_degrees()), top.path().description()));
+    s.line(format!(
+        "turning points: θ = {}° and {}°: {}",
+        n(highest.to_degrees()),
+        n(lowest.to_degrees()),
+        top.path().description()
+    ));
     if let Some(period) = top.nutation_period() {
         s.line(format!("period of the nutation: {} s", n(period)));
     }
@@ -338,8 +364,10 @@ fn numbers(system: &System, top: &HeavyTop, steady: &Steady, s: &mut Section) {
     let is_vertical = top.roots().is_none();
     if let Some(rates) = rates.filter(|_| !is_vertical) {
         for (name, precession) in ["slow", "fast"].into_iter().zip(rates) {
-            let with = |symbol: Symbol| if symbol == steady.precession { Some(precession) } else { value(symbol) };
-            let nutation = steady.square.evaluate(&with).map_or_else(|| "—".to_owned(), |square| n(square.sqrt()));
+            let with =
+                |symbol: Symbol| if symbol == steady.precession { Some(precession) } else { value(symbol) };
+            let nutation =
+                steady.square.evaluate(&with).map_or_else(|| "—".to_owned(), |square| n(square.sqrt()));
             s.line(format!(
                 "{name} steady precession at θ = {}°: φ\u{307} = {},  nutation about it Ω = {nutation} rad/s",
                 n(middle.to_degrees()),
@@ -373,13 +401,16 @@ fn permanent(
     for (axis, angle) in [(1, [0, 1]), (0, [1, 0])] {
         let steady = |f: &RationalFunction| {
             let f = at_angle(&at_angle(f, theta, [1, 0])?, psi, angle)?;
-            let f = f.substituted(p_theta, &RationalFunction::zero())?.substituted(p_psi, &RationalFunction::zero())?;
+            let f = f
+                .substituted(p_theta, &RationalFunction::zero())?
+                .substituted(p_psi, &RationalFunction::zero())?;
             f.substituted(p_phi, &moments[axis].times(&omega))
         };
         // d/dt (θ, ψ, p_θ, p_ψ) = J ∇H
         let mut matrix = Vec::new();
         for row in [p_theta, p_psi, theta, psi] {
-            let sign = if row == theta || row == psi { -RationalFunction::one() } else { RationalFunction::one() };
+            let sign =
+                if row == theta || row == psi { -RationalFunction::one() } else { RationalFunction::one() };
             let slope = h.function.derivative(row) * sign;
             if !steady(&slope)?.is_zero() {
                 return None;
@@ -387,11 +418,10 @@ fn permanent(
             matrix.push(variables.iter().map(|&v| steady(&slope.derivative(v))).collect::<Option<Vec<_>>>()?);
         }
         let squares = Univariate::new(even_characteristic(&matrix)?).roots().rational;
-        for (square, _) in squares {
-            let left = Formula::named("lambda").squared();
-            let name = Formula::text(&format!("axis {}:  ", axis + 1));
-            put(s, Formula::List(vec![name, left.equals(square.to_formula(&symbols))]));
-        }
+        let square =
+            |root: &RationalFunction| Formula::named("lambda").squared().equals(root.to_formula(&symbols));
+        s.say(format!("About axis {}:", axis + 1));
+        put(s, Formula::List(squares.iter().map(|(root, _)| square(root)).collect()));
     }
     s.say("λ² = −ω² only means that L is not along the polar axis. The other one is negative for the axes of the least and the greatest moment, whose rotations are stable. It is positive for the intermediate axis: that rotation is unstable.");
     Some(())
@@ -406,7 +436,8 @@ fn even_characteristic(matrix: &[Vec<RationalFunction>]) -> Option<Vec<RationalF
         (0..4).map(|i| (0..4).map(|j| element(i, j)).collect()).collect()
     };
     let mut coefficients = vec![RationalFunction::one()];
-    let mut power: Vec<Vec<_>> = (0..4).map(|i| (0..4).map(|j| RationalFunction::from(i64::from(i == j))).collect()).collect();
+    let mut power: Vec<Vec<_>> =
+        (0..4).map(|i| (0..4).map(|j| RationalFunction::from(i64::from(i == j))).collect()).collect();
     for k in 1..=4_i64 {
         power = product(matrix, &power);
         let trace = (0..4).fold(zero(), |sum, i| sum + &power[i][i]);
@@ -422,5 +453,8 @@ fn even_characteristic(matrix: &[Vec<RationalFunction>]) -> Option<Vec<RationalF
 
 /// Formats a unit vector.
 fn triple(direction: Direction<Body>) -> String {
-    polhode_document::number::vector(polhode_document::number::tidy(direction.direction().unwrap_or(direction).to_array()), 6)
+    polhode_document::number::vector(
+        polhode_document::number::tidy(direction.direction().unwrap_or(direction).to_array()),
+        6,
+    )
 }

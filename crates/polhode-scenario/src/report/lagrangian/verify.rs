@@ -45,11 +45,10 @@ pub(super) struct Departure {
 }
 
 impl Course {
-    /// Evaluates momenta and their rates; `None` if a value is not finite.
+    /// Evaluates the momenta; `None` if a value is not finite.
     pub(super) fn of(system: &System, motion: &Motion) -> Option<Self> {
         let lagrangian = system.lagrangian();
         let momenta: Vec<_> = system.coordinates.iter().map(|c| lagrangian.momentum(c.symbol)).collect();
-        let rates: Vec<_> = momenta.iter().map(|p| p.time_derivative(&system.symbols)).collect();
         let kinetic = system.kinetic_energy();
         let mut course = Self { rows: Vec::new(), energy: 0.0, rate: 0.0 };
         let step = motion.instants.len().div_ceil(MOST_INSTANTS).max(1);
@@ -62,9 +61,8 @@ impl Course {
                 row.extend(symbols.into_iter().flatten().zip(*values));
                 course.rate = course.rate.max(values[1].abs() / c.size);
             }
-            for (c, (p, rate)) in system.coordinates.iter().zip(momenta.iter().zip(&rates)) {
-                let values = [p, rate].map(|f| f.evaluate(&|symbol| value(&row, symbol)));
-                row.extend([Some(c.momentum), c.momentum.dot()].into_iter().flatten().zip([values[0]?, values[1]?]));
+            for (c, momentum) in system.coordinates.iter().zip(&momenta) {
+                row.push((c.momentum, momentum.evaluate(&|symbol| value(&row, symbol))?));
             }
             course.energy = course.energy.max(kinetic.evaluate(&|symbol| value(&row, symbol))?);
             course.rows.push((instant.time, row));
@@ -108,14 +106,13 @@ impl Course {
     }
 
     fn departure(&self, function: &RationalFunction, scale: f64, from_first: bool) -> Option<Departure> {
-        let terms = terms(function);
+        let (terms, below) = (terms(function), in_sines(function.denominator()));
         let (mut largest, mut worst, mut first) = (LEAST_SCALE * scale, [0.0, 0.0], None);
         for (time, row) in &self.rows {
-            let of = |p: &Polynomial| RationalFunction::from(p.clone()).evaluate(&|symbol| value(row, symbol));
-            let below = of(function.denominator())?;
+            let below = evaluated(&below, row)?;
             let mut sum = 0.0;
             for term in &terms {
-                let term = of(term)? / below;
+                let term = evaluated(term, row)? / below;
                 sum += term;
                 largest = f64::max(largest, term.abs());
             }
@@ -153,5 +150,36 @@ fn terms(function: &RationalFunction) -> Vec<Polynomial> {
             None => groups.push((key, term)),
         }
     }
-    groups.into_iter().map(|(_, sum)| sum).collect()
+    groups.into_iter().map(|(_, sum)| in_sines(&sum)).collect()
+}
+
+/// Returns a polynomial with 1 − sin² θ in place of cos² θ, so that sin⁴ θ is one term. Its value as
+/// 1 − 2 cos² θ + cos⁴ θ would lose all digits near the pole.
+fn in_sines(polynomial: &Polynomial) -> Polynomial {
+    polynomial.variables().into_iter().fold(polynomial.clone(), |sum, variable| {
+        let Variable::Cosine(angle) = variable else { return sum };
+        let cosine = Polynomial::variable(variable);
+        let square = Polynomial::one() - Polynomial::variable(Variable::Sine(angle)).pow(2);
+        let powers = sum.coefficients_in(variable).into_iter().zip(0_u32..);
+        let terms = powers.map(|(coefficient, k)| coefficient * cosine.pow(k % 2) * square.pow(k / 2));
+        terms.fold(Polynomial::zero(), |sum, term| sum + term)
+    })
+}
+
+fn evaluated(polynomial: &Polynomial, row: &[(Symbol, f64)]) -> Option<f64> {
+    let mut sum = 0.0;
+    for (monomial, coefficient) in polynomial.terms() {
+        let mut product = coefficient.to_f64();
+        for &(variable, exponent) in monomial.powers() {
+            let base = match variable {
+                Variable::Root(prime) => f64::from(prime).sqrt(),
+                Variable::Symbol(symbol) => value(row, symbol)?,
+                Variable::Sine(angle) => value(row, angle)?.sin(),
+                Variable::Cosine(angle) => value(row, angle)?.cos(),
+            };
+            product *= base.powi(i32::try_from(exponent).ok()?);
+        }
+        sum += product;
+    }
+    Some(sum)
 }

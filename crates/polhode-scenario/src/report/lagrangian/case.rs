@@ -42,6 +42,25 @@ struct Row {
 }
 
 impl Case {
+    /// Creates a case without further equations; its motion is set later if there is a run.
+    pub(super) fn new(
+        name: &'static str,
+        system: System,
+        energies: &'static str,
+        [coordinates, oscillations]: [Section; 2],
+    ) -> Self {
+        Self {
+            name,
+            system,
+            coordinates,
+            energies,
+            oscillations,
+            motion: None,
+            others: Vec::new(),
+            conserved: None,
+        }
+    }
+
     /// Returns the document.
     pub(super) fn document(
         mut self,
@@ -107,17 +126,17 @@ impl Case {
         let energy = |name: &str, terms: &[RationalFunction]| Formula::named(name).equals(system.sum(terms));
         if let Some(body) = &system.body {
             let square = |k: usize| half_square(&body.moments[k], &body.omega[k].into());
-            put(&mut s, energy("T", &[0, 1, 2].map(square)));
+            put(&mut s, &energy("T", &[0, 1, 2].map(square)));
         } else {
-            put(&mut s, energy("T", &system.kinetic));
+            put(&mut s, &energy("T", &system.kinetic));
         }
-        put(&mut s, energy("U", std::slice::from_ref(&system.potential)));
+        put(&mut s, &energy("U", std::slice::from_ref(&system.potential)));
         let [t, u] = ["T", "U"].map(Formula::named);
         let difference = Formula::named("L").equals(Formula::Sum(vec![t, u.negative()]));
         let mut terms = system.kinetic.clone();
         terms.push(-&system.potential);
         terms.retain(|term| !term.is_zero());
-        put(&mut s, if system.body.is_some() { difference } else { difference.equals(system.sum(&terms)) });
+        put(&mut s, &if system.body.is_some() { difference } else { difference.equals(system.sum(&terms)) });
         s
     }
 
@@ -131,7 +150,7 @@ impl Case {
         for c in &system.coordinates {
             let l = Formula::named("L");
             let left = system.letter(c.momentum).equals(l.derivative(self.dotted(c.symbol), true));
-            put(&mut s, left.equals(self.momentum(c)));
+            put(&mut s, &left.equals(self.momentum(c)));
         }
         s.say("and Lagrange's equation (d/dt) ∂L/∂q\u{307} − ∂L/∂q = 0:");
         for c in &system.coordinates {
@@ -140,7 +159,7 @@ impl Case {
                 let rate = l().derivative(self.dotted(c.symbol), true).time_derivative();
                 put(
                     &mut s,
-                    rate.equals(Formula::integer(0)).related(
+                    &rate.equals(Formula::integer(0)).related(
                         Relation::Implies,
                         Formula::List(vec![system.letter(c.momentum).equals(Formula::text("constant"))]),
                     ),
@@ -149,11 +168,11 @@ impl Case {
             }
             if let Some(body) = &system.body {
                 let rate = self.momentum(c).time_derivative();
-                put(&mut s, rate.equals(system.sum(&body.derivative(c.symbol))));
+                put(&mut s, &rate.equals(system.sum(&body.derivative(c.symbol))));
                 continue;
             }
             let equation = lagrangian.lagrange_equation(c.symbol, &system.symbols);
-            put(&mut s, system.collected(&equation, &system.rates()).equals(Formula::integer(0)));
+            put(&mut s, &system.collected(&equation, &system.rates()).equals(Formula::integer(0)));
         }
         s
     }
@@ -163,7 +182,7 @@ impl Case {
         let mut s = Section::new(3, "Hamiltonian and canonical equations");
         s.say("The momenta p = ∂L/∂q\u{307} are linear in the velocities:");
         for c in &system.coordinates {
-            put(&mut s, system.letter(c.momentum).equals(self.momentum(c)));
+            put(&mut s, &system.letter(c.momentum).equals(self.momentum(c)));
         }
         s.say("Solved for the velocities, they give the Hamiltonian H = Σ p q\u{307} − L. It is T + U, because T is quadratic in the velocities and U does not contain them:");
         let left = Formula::named("H");
@@ -173,21 +192,21 @@ impl Case {
                 half_square(&RationalFunction::one(), &body.momenta[k].into()).over(&body.moments[k])
             };
             let terms: Vec<_> = (0..3).filter_map(square).collect();
-            put(&mut s, left.equals(system.sum(&terms)));
+            put(&mut s, &left.equals(system.sum(&terms)));
             for (letter, value) in body.momenta.iter().zip(system.body_momenta(h)) {
                 let value = system.collected(&value, &momenta);
-                put(&mut s, system.letter(*letter).equals(value));
+                put(&mut s, &system.letter(*letter).equals(value));
             }
         } else {
-            put(&mut s, left.equals(system.sum(&h.terms)));
+            put(&mut s, &left.equals(system.sum(&h.terms)));
         }
         s.say("The canonical equations are q\u{307} = ∂H/∂p and p\u{307} = −∂H/∂q:");
         for c in &system.coordinates {
-            put(&mut s, self.dotted(c.symbol).equals(system.sum(&system.slope(h, c.momentum))));
+            put(&mut s, &self.dotted(c.symbol).equals(system.sum(&system.slope(h, c.momentum))));
         }
         for c in &system.coordinates {
             let force: Vec<_> = system.slope(h, c.symbol).iter().map(|term| -term).collect();
-            put(&mut s, self.dotted(c.momentum).equals(system.sum(&force)));
+            put(&mut s, &self.dotted(c.momentum).equals(system.sum(&force)));
         }
         s
     }
@@ -228,10 +247,8 @@ impl Case {
         let e = Formula::named("E");
         if is_energy {
             let sum = Formula::Sum(vec![Formula::named("T"), Formula::named("U")]);
-            put(
-                &mut s,
-                if system.body.is_some() { e.equals(sum) } else { e.equals(sum).equals(system.sum(&terms)) },
-            );
+            let e = e.equals(sum);
+            put(&mut s, &if system.body.is_some() { e } else { e.equals(system.sum(&terms)) });
         }
         s
     }
@@ -271,9 +288,9 @@ impl Case {
         let system = &self.system;
         let lagrangian = system.lagrangian();
         let mut rows = Vec::new();
-        let mut add = |name: String, kind, departure: Option<Departure>| match departure {
-            Some(departure) => rows.push(Row { name, kind, departure }),
-            None => rows.push(Row { name, kind, departure: Departure { relative: f64::NAN, time: 0.0 } }),
+        let mut add = |name: String, kind, departure: Option<Departure>| {
+            let departure = departure.unwrap_or(Departure { relative: f64::NAN, time: 0.0 });
+            rows.push(Row { name, kind, departure });
         };
         let text = |formula: Formula| formula.to_text();
         for c in &system.coordinates {
@@ -367,7 +384,7 @@ const EQUATION: &str = "relative residual";
 const CONSTANT: &str = "relative drift";
 
 /// Adds a formula.
-pub(super) fn put(s: &mut Section, formula: Formula) {
+pub(super) fn put(s: &mut Section, formula: &Formula) {
     s.formula(&formula.to_text(), &formula.to_latex());
 }
 

@@ -50,7 +50,7 @@ pub(super) fn pendulum(
     let mut s = Section::new(5, "Equilibrium and small oscillations");
     s.say("In equilibrium ∂U/∂θ = 0: θ = 0, where the body hangs, and θ = π, where it is upright. The second derivative of U decides on stability:");
     for (text, cosine) in [("0", 1), ("π", -1)] {
-        put(&mut s, stiffness_at(&system, theta, cosine, text));
+        put(&mut s, &stiffness_at(&system, theta, cosine, text));
     }
     s.say("At θ = 0 it is positive: the equilibrium is stable, and small oscillations are harmonic. At θ = π it is negative: the equilibrium is unstable.");
     let square = frequency(&system, theta, &moment, Relation::Approximate, &mut s);
@@ -74,16 +74,13 @@ pub(super) fn pendulum(
     if !stays {
         coordinates.say("A run holds only the pivot, and this body leaves the axis. So the motion below is the closed form of the pendulum, with the torque of gravity at each position.");
     }
-    Ok(Case {
-        name: if scenario.is_all_particles() { "a pendulum of particles" } else { "a physical pendulum" },
-        system,
-        coordinates,
-        energies: "All points move on circles about the axis. U is the energy of the weight, zero when the centre of mass is level with the axis:",
-        oscillations: s,
-        motion,
-        others: Vec::new(),
-        conserved: None,
-    })
+    let name = if scenario.is_all_particles() && !scenario.particles().is_empty() {
+        "a pendulum of particles"
+    } else {
+        "a physical pendulum"
+    };
+    let energies = "All points move on circles about the axis. U is the energy of the weight, zero when the centre of mass is level with the axis:";
+    Ok(Case { motion, ..Case::new(name, system, energies, [coordinates, s]) })
 }
 
 /// Returns the torsion pendulum of a scenario: a body that a spring or wire turns about a fixed axis.
@@ -128,7 +125,7 @@ pub(super) fn torsion_pendulum(
     system.potential = torsion(&stiffness, theta);
     let mut s = Section::new(5, "Equilibrium and small oscillations");
     s.say("In equilibrium ∂U/∂θ = 0: θ = 0, without twist. There the second derivative of U is positive, so the equilibrium is stable:");
-    put(&mut s, stiffness_at(&system, theta, 1, "0"));
+    put(&mut s, &stiffness_at(&system, theta, 1, "0"));
     s.say("U is quadratic, so the oscillation is harmonic at every amplitude:");
     let square = frequency(&system, theta, &inertia, Relation::Equal, &mut s);
     let values = |symbol: Symbol| system.constants.iter().find(|c| c.symbol == symbol).map(|c| c.value);
@@ -144,16 +141,9 @@ pub(super) fn torsion_pendulum(
     let motion = run.map(|run| Motion { instants: run.samples().iter().map(instant).collect(), left_out: 0 });
     let mut coordinates = Section::new(1, "Coordinates");
     coordinates.say("The body turns about a fixed axis, which is a principal axis. The coordinate θ is the twist from the attitude at rest, positive by the right-hand rule about the axis.");
-    Ok(Case {
-        name: "a torsion pendulum",
-        system,
-        coordinates,
-        energies: "U is the energy of the twisted spring or wire:",
-        oscillations: s,
-        motion,
-        others: Vec::new(),
-        conserved: None,
-    })
+    let name = "a torsion pendulum";
+    let energies = "U is the energy of the twisted spring or wire:";
+    Ok(Case { motion, ..Case::new(name, system, energies, [coordinates, s]) })
 }
 
 /// Returns `θ = angle, d²U/dθ² = …`.
@@ -180,9 +170,9 @@ fn frequency(
     let letter = |order: u8| (0..order).try_fold(theta, |symbol, _| symbol.dot());
     let acceleration = letter(2).map_or_else(|| Formula::text("?"), |symbol| system.letter(symbol));
     let right = Formula::product(vec![omega().squared(), system.letter(theta)]).negative();
-    put(s, acceleration.related(sign, right));
+    put(s, &acceleration.related(sign, right));
     let root = square.square_root(&system.symbols).to_formula(&system.symbols);
-    put(s, omega().equals(root));
+    put(s, &omega().equals(root));
     square
 }
 
@@ -228,14 +218,14 @@ fn particles(
     };
     let square =
         with("M", square, &mass).and_then(|f| with("d", &f, &arm)).and_then(|f| with("I", &f, &moment));
-    put(s, Formula::named("I").equals(moment.to_formula(&symbols)));
+    put(s, &Formula::named("I").equals(moment.to_formula(&symbols)));
     put(
         s,
-        Formula::product(vec![Formula::named("M"), Formula::named("d")])
+        &Formula::product(vec![Formula::named("M"), Formula::named("d")])
             .equals(static_moment.to_formula(&symbols)),
     );
     if let Some(square) = square {
-        put(s, Formula::named("omega_0").squared().equals(square.to_formula(&symbols)));
+        put(s, &Formula::named("omega_0").squared().equals(square.to_formula(&symbols)));
     }
     values.iter().for_each(|line| s.line(line));
     Ok(())

@@ -89,7 +89,7 @@ pub(super) fn rolling(
     let mut coordinates = Section::new(1, "Coordinates");
     coordinates.say("The centre moves along a line, by x, and the body turns by φ about an axis with a constant direction. It rolls without slipping, v + ω × r = 0, where r leads from the centre to the point of contact. Along the line this is the constraint");
     let rolled = RationalFunction::from(phi) * &radius;
-    put(&mut coordinates, system.letter(x).equals(rolled.to_formula(&system.symbols)));
+    put(&mut coordinates, &system.letter(x).equals(rolled.to_formula(&system.symbols)));
     coordinates.say("It is holonomic, because it can be integrated. So one reduced coordinate is enough: x, with φ = x/a put into T. The multiplier λ then gives the force of friction.");
     let rate = velocity(x).over(&radius);
     let reduced = |f: &RationalFunction| f.substituted(phi.dot()?, rate.as_ref()?);
@@ -116,20 +116,13 @@ pub(super) fn rolling(
             start.normal_force
         )[0])
     ));
-    Ok(Case {
-        name: match ground.contact.surface.shape() {
-            SurfaceShape::Rim { .. } => "a rolling disk",
-            SurfaceShape::Cylinder { .. } => "a rolling cylinder",
-            _ => "a rolling ball",
-        },
-        system,
-        coordinates,
-        energies: "T is the energy of the centre of mass and of the rotation about it, ½ M x\u{307}² + ½ I φ\u{307}², with φ\u{307} = x\u{307}/a. U decreases down the slope:",
-        oscillations: s,
-        motion,
-        others,
-        conserved: None,
-    })
+    let name = match ground.contact.surface.shape() {
+        SurfaceShape::Rim { .. } => "a rolling disk",
+        SurfaceShape::Cylinder { .. } => "a rolling cylinder",
+        _ => "a rolling ball",
+    };
+    let energies = "T is the energy of the centre of mass and of the rotation about it, ½ M x\u{307}² + ½ I φ\u{307}², with φ\u{307} = x\u{307}/a. U decreases down the slope:";
+    Ok(Case { motion, others, ..Case::new(name, system, energies, [coordinates, s]) })
 }
 
 /// Writes Lagrange's equations of x and φ with the multiplier λ of the constraint x − a φ = 0, and
@@ -149,7 +142,7 @@ fn multiplier(
     let rest = equation.substituted(acceleration, &RationalFunction::zero())?;
     let solved = (-rest).over(&equation.derivative(acceleration))?;
     s.say("The equation of motion gives the acceleration:");
-    put(s, system.letter(acceleration).equals(solved.to_formula(symbols)));
+    put(s, &system.letter(acceleration).equals(solved.to_formula(symbols)));
     s.say("With both coordinates and the multiplier λ of the constraint f = x − a φ = 0, Lagrange's equations are (d/dt) ∂L/∂q\u{307} − ∂L/∂q = λ ∂f/∂q:");
     let lagrangian = free[0].plus(&free[1]) - &system.potential;
     let constraint = RationalFunction::from(x) - radius.times(&phi.into());
@@ -157,12 +150,12 @@ fn multiplier(
     for q in [x, phi] {
         let left = lagrangian.lagrange_equation(q, symbols);
         let right = RationalFunction::from(lambda) * constraint.derivative(q);
-        put(s, system.collected(&left, &[]).equals(right.to_formula(symbols)));
+        put(s, &system.collected(&left, &[]).equals(right.to_formula(symbols)));
         equations.push((format!("equation of {} with λ", system.letter(q).to_text()), left - right));
     }
     let force = lagrangian.lagrange_equation(x, symbols).substituted(acceleration, &solved)?;
     s.say("λ is the force of friction along x:");
-    put(s, Formula::named("lambda").equals(force.to_formula(symbols)));
+    put(s, &Formula::named("lambda").equals(force.to_formula(symbols)));
     Some(equations)
 }
 

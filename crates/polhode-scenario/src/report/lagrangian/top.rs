@@ -79,16 +79,9 @@ pub(super) fn heavy(
     if let Some(steady) = steady(&mut system, angles, &i1, Some(&weight), &mut s) {
         numbers(&system, &top, &steady, &mut s);
     }
-    Ok(Case {
-        name: "a heavy symmetric top",
-        system,
-        coordinates,
-        energies: "T = ½ I₁ (ω₁² + ω₂²) + ½ I₃ ω₃², in which ψ drops out. U is the energy of the weight, zero when the centre of mass is level with the pivot:",
-        oscillations: s,
-        motion,
-        others: Vec::new(),
-        conserved: None,
-    })
+    let name = "a heavy symmetric top";
+    let energies = "T = ½ I₁ (ω₁² + ω₂²) + ½ I₃ ω₃², in which ψ drops out. U is the energy of the weight, zero when the centre of mass is level with the pivot:";
+    Ok(Case { motion, ..Case::new(name, system, energies, [coordinates, s]) })
 }
 
 /// Returns the free motion of a scenario without torque.
@@ -165,19 +158,15 @@ pub(super) fn free(scenario: &Scenario, run: Option<&Trajectory>) -> Result<Case
         }
     };
     let motion = run.map(|run| axes.motion(rotor, run.samples()));
+    let name = if axis.is_some() { "a free symmetric top" } else { "a free asymmetric top" };
     Ok(Case {
-        name: if axis.is_some() { "a free symmetric top" } else { "a free asymmetric top" },
-        system,
-        coordinates,
-        energies,
-        oscillations: s,
         motion,
-        others: Vec::new(),
         conserved: Some((
             "L²",
             square,
             "No torque acts, so L is constant in space; p_φ is its component along the polar axis. So L² is constant too, the sum of the squares of I₁ ω₁, I₂ ω₂ and I₃ ω₃.",
         )),
+        ..Case::new(name, system, energies, [coordinates, s])
     })
 }
 
@@ -215,7 +204,7 @@ fn symmetric(
 fn rates(system: &System, angles: [Symbol; 3], s: &mut Section) {
     for (k, value) in omega(angles).iter().enumerate() {
         let letter = Formula::named(&format!("omega_{}", k + 1));
-        put(s, letter.equals(system.collected(value, &[])));
+        put(s, &letter.equals(system.collected(value, &[])));
     }
 }
 
@@ -236,9 +225,9 @@ fn steady(
     let [u_eff, e_eff] = ["U_eff", "E_eff"].map(Formula::named);
     let mut terms = vec![h.terms[1].clone(), system.potential.clone()];
     terms.retain(|term| !term.is_zero());
-    put(s, u_eff.clone().equals(system.sum(&terms)));
+    put(s, &u_eff.clone().equals(system.sum(&terms)));
     let kinetic = Formula::sum(vec![system.kinetic[0].to_formula(&system.symbols), u_eff.clone()]);
-    put(s, e_eff.equals(kinetic));
+    put(s, &e_eff.equals(kinetic));
     turning(system, theta, &effective, i1, s)?;
     let letters = &system.symbols;
     // p_φ at the rate φ̇, from its definition: I₁ φ̇ sin² θ + p_ψ cos θ.
@@ -248,29 +237,29 @@ fn steady(
     let slope = effective.derivative(theta);
     let condition = slope.substituted(p_phi, &p_phi_value)?.over(&-sine(theta))?;
     s.say("Steady precession at a constant θ requires dU_eff/dθ = 0. With p_φ at the rate φ\u{307} this is a quadratic equation for the rate:");
-    put(s, system.letter(p_phi).equals(p_phi_value.to_formula(letters)));
+    put(s, &system.letter(p_phi).equals(p_phi_value.to_formula(letters)));
     let collected = system.collected(&condition, &[Variable::Symbol(precession)]);
-    put(s, collected.equals(Formula::integer(0)));
+    put(s, &collected.equals(Formula::integer(0)));
     let below = RationalFunction::from(condition.denominator().clone());
     let powers = condition.numerator().coefficients_in(Variable::Symbol(precession)).into_iter();
     let powers: Option<Vec<_>> = powers.map(|c| RationalFunction::from(c).over(&below)).collect();
     let roots = Univariate::new(powers?).roots();
     let rate = || system.letter(precession);
     for (root, _) in roots.rational.iter().filter(|(root, _)| !root.is_zero()) {
-        put(s, rate().equals(root.to_formula(letters)));
+        put(s, &rate().equals(root.to_formula(letters)));
     }
     let pair = match roots.rest {
         RemainingRoots::Pair(pair) => Some(pair),
         _ => None,
     };
     if let (Some(pair), Some(weight)) = (&pair, weight) {
-        put(s, rate().equals(pair.to_formula(letters)));
+        put(s, &rate().equals(pair.to_formula(letters)));
         s.say("For p_ψ > 0 the lower sign is the slow precession, the upper sign the fast one. For a fast top, p_ψ² ≫ 4 I₁ M g l cos θ, they are");
         let spin = RationalFunction::from(p_psi);
         let [slow, fast] = [weight.over(&spin)?, spin.over(&(i1 * cosine(theta)))?];
         let about =
             |value: &RationalFunction| rate().related(Relation::Approximate, value.to_formula(letters));
-        put(s, Formula::List(vec![about(&slow), about(&fast)]));
+        put(s, &Formula::List(vec![about(&slow), about(&fast)]));
     }
     s.say("Small nutations about it are harmonic, with Ω² = (d²U_eff/dθ²)/I₁ at constant p_φ and p_ψ. With p_ψ from the condition:");
     // The condition is linear in p_ψ.
@@ -280,7 +269,7 @@ fn steady(
     let second = slope.derivative(theta).substituted(p_phi, &p_phi_value)?.substituted(p_psi, &spin)?;
     let square = second.over(i1)?;
     let nutation = Formula::named("Omega").squared();
-    put(s, nutation.equals(system.collected(&square, &[])));
+    put(s, &nutation.equals(system.collected(&square, &[])));
     match weight {
         None => s.say("The nutation has the rate of the precession: in space axis 3 moves on a cone about L, whatever the polar axis."),
         Some(_) => sleeping(system, theta, &effective, [p_phi, p_psi], s)?,
@@ -315,7 +304,7 @@ fn turning(
     })?;
     s.say("At the turning points θ\u{307} = 0, E_eff = U_eff. With u = cos θ, u\u{307}² = θ\u{307}² sin² θ is a polynomial in u, and u oscillates between two of its roots:");
     let letter = Formula::named("u").accented(polhode_algebra::Accent::Dot).squared();
-    put(s, letter.equals(collected(&cubic, &[Variable::Symbol(u)], &symbols)));
+    put(s, &letter.equals(collected(&cubic, &[Variable::Symbol(u)], &symbols)));
     Some(())
 }
 
@@ -333,7 +322,7 @@ fn sleeping(
     let derivative = second_derivative(Formula::named("U_eff"), system.letter(theta));
     let value =
         derivative.equals(system.collected(&second, &[])).related(Relation::Greater, Formula::integer(0));
-    put(s, Formula::List(vec![system.letter(theta).equals(Formula::integer(0)), value]));
+    put(s, &Formula::List(vec![system.letter(theta).equals(Formula::integer(0)), value]));
     Some(())
 }
 
@@ -421,7 +410,7 @@ fn permanent(
         let square =
             |root: &RationalFunction| Formula::named("lambda").squared().equals(root.to_formula(&symbols));
         s.say(format!("About axis {}:", axis + 1));
-        put(s, Formula::List(squares.iter().map(|(root, _)| square(root)).collect()));
+        put(s, &Formula::List(squares.iter().map(|(root, _)| square(root)).collect()));
     }
     s.say("λ² = −ω² only means that L is not along the polar axis. The other one is negative for the axes of the least and the greatest moment, whose rotations are stable. It is positive for the intermediate axis: that rotation is unstable.");
     Some(())

@@ -15,7 +15,7 @@ use crate::stdout::print;
 /// the required torque and the forces on the particles; for a pendulum, the frequency and the exact
 /// period.
 ///
-/// With --lagrangian or --hamiltonian the steps are: coordinates, T and U, equations of motion,
+/// The steps with --lagrangian or --hamiltonian: coordinates, T and U, equations of motion,
 /// conserved quantities, small oscillations, values, and the verification along the run. They exist
 /// for pendulums, heavy and free tops, and bodies that roll along a line.
 #[derive(Debug, Args)]

@@ -4,10 +4,12 @@
 use std::path::{Path, PathBuf};
 
 use polhode_document::{Block, Document};
+use polhode_scenario::report::{Formalism, LagrangianError, lagrangian};
 use polhode_scenario::request::explain::{REPORT_SCHEMA, Request, run};
 use polhode_source::Failure;
 use polhode_source::files::{Disk, Files, Memory};
 
+use crate::common;
 use crate::fit::misfit;
 
 /// Bound of residuals and drifts; the runs of these scenarios have the tolerance 1e-13.
@@ -85,7 +87,7 @@ rotate = { axis = [1, 2, 3], angle = '50 deg' }
 position = ['0.25 m', '-0.1 m', '0.07 m']
 ";
 
-/// The axis is no principal axis, so that a run leaves it; the pendulum itself is verified.
+/// The axis is not a principal axis, so a run leaves it; the pendulum itself is verified.
 #[test]
 fn physical_pendulum() {
     let text = format!(
@@ -256,7 +258,7 @@ samples = 101
 fn without_a_run() {
     let document = of_text(&TOP[..TOP.find("[run]").unwrap()], false).unwrap();
     assert!(verified(&document).is_empty());
-    require(&document.to_text(400), &["no motion along which to verify"]);
+    require(&document.to_text(400), &["not verified, because the scenario has no [run]"]);
 }
 
 #[test]
@@ -291,6 +293,29 @@ fn other_scenarios_are_refused() {
     assert!(message.contains("ω has another direction"), "{message}");
     let message = with(BALL, "['0 rad/s', '-3 rad/s'", "['1 rad/s', '-3 rad/s'");
     assert!(message.contains("does not move along a line"), "{message}");
+}
+
+/// Rods, spheres, rest, permanent rotations, extreme numbers: verified, or refused for a reason.
+#[test]
+fn edge_cases_are_verified_or_refused() {
+    let mut solved = 0;
+    for scenario in common::all().into_iter().chain(common::ground::all()) {
+        for formalism in [Formalism::Lagrange, Formalism::Hamilton] {
+            let title = scenario.title().unwrap();
+            match lagrangian(&scenario, formalism) {
+                Ok(document) => {
+                    solved += 1;
+                    for (name, value) in verified(&document) {
+                        assert!(value < SMALL, "{title}: {name}: {value}");
+                    }
+                }
+                Err(LagrangianError::NoSystem { .. } | LagrangianError::Motion(_)) => {}
+                Err(LagrangianError::OutOfRange) if matches!(title, "Tiny" | "Huge") => {}
+                Err(error) => panic!("{title}: {error}"),
+            }
+        }
+    }
+    assert!(solved >= 40, "{solved}");
 }
 
 #[test]

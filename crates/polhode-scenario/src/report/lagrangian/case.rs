@@ -2,7 +2,7 @@
 
 use polhode::motion::Scenario;
 use polhode_algebra::{Formula, RationalFunction, Relation, Style, Symbol, Variable};
-use polhode_document::number::{counted, error, number};
+use polhode_document::number::{counted, error, number, tidy_beside};
 use polhode_document::{Document, Section};
 
 use super::Formalism;
@@ -10,7 +10,7 @@ use super::error::LagrangianError;
 use super::system::{Coordinate, Hamiltonian, System, half_square, velocity};
 use super::verify::{Course, Departure, Motion};
 
-/// Significant digits.
+/// Number of significant digits.
 const DIGITS: usize = 6;
 /// Largest relative residual of an equation that holds.
 const TOLERANCE: f64 = 1e-8;
@@ -63,35 +63,33 @@ impl Case {
 
     /// Returns the document.
     pub(super) fn document(
-        mut self,
+        &self,
         scenario: &Scenario,
         formalism: Formalism,
     ) -> Result<Document, LagrangianError> {
-        let hamiltonian =
-            match formalism {
-                Formalism::Lagrange => None,
-                Formalism::Hamilton => Some(self.system.hamiltonian().ok_or_else(|| {
-                    LagrangianError::because("its velocities do not follow from the momenta")
-                })?),
-            };
+        let singular = || LagrangianError::because("its velocities do not follow from the momenta");
+        let hamiltonian = match formalism {
+            Formalism::Lagrange => None,
+            Formalism::Hamilton => Some(self.system.hamiltonian().ok_or_else(singular)?),
+        };
         let (title, equations) = match &hamiltonian {
             None => ("Lagrange's equations", self.lagrange()),
             Some(h) => ("Hamilton's equations", self.hamilton(h)),
         };
-        let course = self.motion.as_ref().and_then(|motion| Course::of(&self.system, motion));
+        let motion = self.motion.as_ref().filter(|motion| !motion.instants.is_empty());
+        let course = motion.map(|motion| Course::of(&self.system, motion).ok_or(LagrangianError::OutOfRange));
+        let course = course.transpose()?;
         let rows = course.as_ref().map(|course| self.rows(course, hamiltonian.as_ref())).transpose()?;
-        let coordinates = std::mem::replace(&mut self.coordinates, Section::new(1, ""));
-        let oscillations = std::mem::replace(&mut self.oscillations, Section::new(5, ""));
         Ok(Document {
             title: scenario.title().unwrap_or("A rigid body").to_owned(),
             verdict: None,
             answer: self.answer(title, rows.as_deref()),
             sections: vec![
-                coordinates,
+                self.coordinates.clone(),
                 self.energies(),
                 equations,
                 self.constants(hamiltonian.is_some()),
-                oscillations,
+                self.oscillations.clone(),
                 self.values(course.as_ref(), hamiltonian.as_ref()),
                 self.verification(course.as_ref(), rows.as_deref()),
             ],
@@ -104,10 +102,8 @@ impl Case {
         let mut lines = vec![format!("{title} of {}, with {degrees} of freedom.", self.name)];
         if let Some(rows) = rows {
             let largest = |kind: &str| {
-                rows.iter()
-                    .filter(|row| row.kind == kind)
-                    .map(|row| row.departure.relative)
-                    .fold(0.0, f64::max)
+                let rows = rows.iter().filter(|row| row.kind == kind);
+                rows.map(|row| row.departure.relative).fold(0.0, f64::max)
             };
             lines.push(format!(
                 "Along the computed motion the equations hold to {} (largest relative residual), and the conserved quantities are constant to {}.",
@@ -264,7 +260,12 @@ impl Case {
         s.say("At the first instant:");
         let value = |f: &RationalFunction| course.first(f).map_or_else(|| "—".to_owned(), n);
         for c in &system.coordinates {
-            let [q, v, p] = [c.symbol.into(), velocity(c.symbol), c.momentum.into()].map(|f| value(&f));
+            let scales = [c.size, course.rate() * c.size, course.momentum(c.size)];
+            let functions = [c.symbol.into(), velocity(c.symbol), c.momentum.into()];
+            let [q, v, p] = std::array::from_fn(|k| {
+                let tidy = |x: f64| n(tidy_beside([x, 0.0, 0.0], scales[k])[0]);
+                course.first(&functions[k]).map_or_else(|| "—".to_owned(), tidy)
+            });
             let [letter, rate, momentum] =
                 [system.letter(c.symbol), self.dotted(c.symbol), system.letter(c.momentum)]
                     .map(|f| f.to_text());
@@ -324,8 +325,7 @@ impl Case {
             add(name.clone(), EQUATION, course.residual(equation, course.energy() / size));
         }
         for c in system.coordinates.iter().filter(|c| system.is_cyclic(c)) {
-            let scale = if course.rate() > 0.0 { course.energy() / (course.rate() * c.size) } else { 0.0 };
-            let drift = course.drift(&lagrangian.momentum(c.symbol), scale);
+            let drift = course.drift(&lagrangian.momentum(c.symbol), course.momentum(c.size));
             add(text(system.letter(c.momentum)), CONSTANT, drift);
         }
         if let Some((name, quantity, _)) = &self.conserved {
@@ -335,8 +335,10 @@ impl Case {
             None => add("E".to_owned(), CONSTANT, course.drift(&system.energy(), course.energy())),
             Some(h) => add("H".to_owned(), CONSTANT, course.drift(&h.function, course.energy())),
         }
-        // Negated so that NaN is an error.
-        match rows.iter().find(|row| row.kind == EQUATION && !(row.departure.relative <= TOLERANCE)) {
+        if rows.iter().any(|row| !row.departure.relative.is_finite()) {
+            return Err(LagrangianError::OutOfRange);
+        }
+        match rows.iter().find(|row| row.kind == EQUATION && row.departure.relative > TOLERANCE) {
             None => Ok(rows),
             Some(row) => Err(LagrangianError::NotVerified {
                 equation: row.name.clone(),
@@ -350,7 +352,7 @@ impl Case {
         let mut s = Section::new(7, "Verification along the computed motion");
         let (Some(course), Some(rows)) = (course, rows) else {
             s.say(match &self.motion {
-                None => "The scenario has no [run], so there is no motion along which to verify the equations.",
+                None => "The equations are not verified, because the scenario has no [run].",
                 Some(_) => "The coordinates are singular at all samples of the run: θ = 0 or 180°, where φ and ψ are not defined. The equations are not verified.",
             });
             return s;
@@ -393,7 +395,7 @@ pub(super) fn n(x: f64) -> String {
     number(x, DIGITS)
 }
 
-/// Returns `d²f/dq²`.
+/// Returns the second derivative `d²f/dq²`.
 pub(super) fn second_derivative(function: Formula, variable: Formula) -> Formula {
     let d = Formula::Letter("d".to_owned(), Style::Italic).squared();
     let below = Formula::Differential { is_partial: false, of: Box::new(variable.squared()) };

@@ -26,6 +26,8 @@ pub enum LagrangianError {
         /// Time of the largest residual, s.
         time: f64,
     },
+    /// Values of an equation are not finite.
+    OutOfRange,
     /// Two symbols have the same name.
     Symbol(SymbolError),
 }
@@ -58,6 +60,7 @@ impl fmt::Display for LagrangianError {
                 "{equation} does not hold along the computed motion: relative residual {} at t = {time} s",
                 error(*residual)
             ),
+            Self::OutOfRange => f.write_str("the numbers of the equations leave the range of f64"),
             Self::Symbol(error) => error.fmt(f),
         }
     }

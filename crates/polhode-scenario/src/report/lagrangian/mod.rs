@@ -8,6 +8,8 @@ mod case;
 mod error;
 mod euler_angles;
 mod fixed_axis;
+mod permanent;
+mod precession;
 mod rolling;
 mod system;
 #[cfg(test)]

@@ -1,15 +1,16 @@
 //! Balls, disks and cylinders that roll along a line.
 
-use polhode::math::{Direction, Space};
+use polhode::math::{AngularVelocity, Direction, Space};
 use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::{ContactPhase, ContactStart, ContactState, GroundShape, SurfaceShape};
 use polhode::motion::{GroundContact, Scenario, Simulation, Trajectory};
 use polhode_algebra::{Formula, Kind, RationalFunction, Symbol, Variable};
 use polhode_document::Section;
+use polhode_document::number::tidy_beside;
 
 use super::case::{Case, n, put};
 use super::error::LagrangianError;
-use super::system::{System, half_square, velocity};
+use super::system::{Constant, System, half_square, velocity};
 use super::verify::{Instant, Motion, plain};
 
 /// Relative departure from a line up to which a body moves along it.
@@ -62,23 +63,21 @@ pub(super) fn rolling(
     let is_sloping = slope.abs() > STRAIGHT;
     let mut system = System::new();
     let mass = system.constant("M", rotor.mass(), "kg", "mass")?;
-    let moment = system.constant(
-        "I",
-        rotor.inertia().about_axis(body_axis),
-        "kg·m²",
-        "moment about the axis of rolling",
-    )?;
+    let about = rotor.inertia().about_axis(body_axis);
+    let momentum = plain(rotor.angular_momentum(AngularVelocity::from_array(body_axis.to_array())));
+    if (momentum - body_axis * about).norm() > STRAIGHT * about {
+        return Err(LagrangianError::because(
+            "the axis of rolling is not a principal axis, so the body wobbles",
+        ));
+    }
+    let moment = system.constant("I", about, "kg·m²", "moment about the axis of rolling")?;
     let radius = system.constant("a", line.radius, "m", "distance of the centre from the ground")?;
     let mut weight = RationalFunction::zero();
     if is_sloping {
         let size = system.constant("g", g.norm(), "m/s²", "gravity")?;
         let alpha = system.symbols.declare("alpha", Kind::Constant)?;
-        system.constants.push(super::system::Constant {
-            symbol: alpha,
-            value: slope.asin(),
-            unit: "rad",
-            meaning: "slope of the plane",
-        });
+        let (value, unit, meaning) = (slope.asin(), "rad", "slope of the plane");
+        system.constants.push(Constant { symbol: alpha, value, unit, meaning });
         weight = &mass * size * RationalFunction::from(Variable::Sine(alpha));
     }
     let x = system.coordinate("x", "m", line.radius)?;
@@ -98,24 +97,14 @@ pub(super) fn rolling(
     let multiplier = multiplier(&system, &free, [x, phi], &radius, lambda, &mut s);
     let others = multiplier.unwrap_or_default();
     if is_sloping {
-        s.say("There is no equilibrium on the slope: the acceleration is constant.");
+        s.say("The body has no equilibrium on the slope: its acceleration is constant.");
     } else {
         s.say("The ground is level: every position is an equilibrium, a neutral one without oscillations, and the velocity is constant.");
     }
-    let motion = run.map(|_| Motion {
-        instants: states
-            .iter()
-            .map(|state| line.instant(scenario, ground, start, state, [phi, lambda]))
-            .collect(),
-        left_out: 0,
-    });
-    s.line(format!(
-        "friction along x at the start: λ = {} N",
-        n(polhode_document::number::tidy_beside(
-            [line.along.dot(start.friction), 0.0, 0.0],
-            start.normal_force
-        )[0])
-    ));
+    let instant = |state: &ContactState| line.instant(scenario, ground, start, state, [phi, lambda]);
+    let motion = run.map(|_| Motion { instants: states.iter().map(instant).collect(), left_out: 0 });
+    let [friction, ..] = tidy_beside([line.along.dot(start.friction), 0.0, 0.0], start.normal_force);
+    s.line(format!("friction along x at the start: λ = {} N", n(friction)));
     let name = match ground.contact.surface.shape() {
         SurfaceShape::Rim { .. } => "a rolling disk",
         SurfaceShape::Cylinder { .. } => "a rolling cylinder",

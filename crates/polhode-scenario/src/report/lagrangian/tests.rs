@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use polhode_algebra::{RationalFunction, Symbols, parse};
+use polhode_algebra::{RationalFunction, Symbol, Symbols, Variable, parse};
 use polhode_source::files::Memory;
 
 use super::case::Case;
@@ -198,5 +198,30 @@ fn hamiltonian_is_the_energy_of_the_engine() {
             (value - engine).abs() < 1e-13 * (engine.abs() + sample.kinetic_energy),
             "{text}: {value} {engine}"
         );
+    }
+}
+
+/// The equations of the asymmetric top are printed with the letters ω₁ … and L₁ …; with their values
+/// they are those that are verified.
+#[test]
+fn letters_stand_for_their_values() {
+    let (_, case) = case(FREE);
+    let system = &case.system;
+    let (body, h) = (system.body.as_ref().unwrap(), system.hamiltonian().unwrap());
+    let sum = |terms: Vec<RationalFunction>, letters: &[Symbol], values: &[RationalFunction]| {
+        let sum = terms.iter().fold(RationalFunction::zero(), |sum, term| sum + term);
+        let place = |v: Variable| letters.iter().position(|letter| v == Variable::Symbol(*letter));
+        sum.replaced(&|v| Some(place(v).map_or_else(|| v.into(), |k| values[k].clone()))).unwrap()
+    };
+    let momenta = system.body_momenta(&h);
+    for c in &system.coordinates {
+        let [momentum, force] = [c.symbol.dot().unwrap(), c.symbol]
+            .map(|symbol| sum(body.derivative(symbol), &body.omega, &body.values));
+        let equation = system.lagrangian().lagrange_equation(c.symbol, &system.symbols);
+        assert_eq!(momentum.time_derivative(&system.symbols) - force, equation);
+        for symbol in [c.symbol, c.momentum] {
+            let slope = sum(system.slope(&h, symbol), &body.momenta, &momenta);
+            assert_eq!(slope, h.function.derivative(symbol));
+        }
     }
 }

@@ -85,6 +85,11 @@ impl Course {
         self.rate
     }
 
+    /// Returns the scale of the momentum of a coordinate with a size.
+    pub(super) fn momentum(&self, size: f64) -> f64 {
+        if self.rate > 0.0 { self.energy / (self.rate * size) } else { 0.0 }
+    }
+
     /// Returns the value of a function at the first instant.
     pub(super) fn first(&self, function: &RationalFunction) -> Option<f64> {
         let (_, row) = self.rows.first()?;

@@ -1,17 +1,16 @@
 //! A recognized system, and its solution as a document.
 
 use polhode::motion::Scenario;
-use polhode_algebra::{Formula, RationalFunction, Relation, Style, Symbol, Variable};
-use polhode_document::number::{counted, error, number, tidy_beside};
+use polhode_algebra::{Formula, RationalFunction, Relation, Symbol, Variable};
+use polhode_document::number::{counted, error, tidy_beside};
 use polhode_document::{Document, Section};
 
 use super::Formalism;
 use super::error::LagrangianError;
 use super::system::{Coordinate, Hamiltonian, System, half_square, velocity};
 use super::verify::{Course, Departure, Motion};
+use super::write::{n, put};
 
-/// Number of significant digits.
-const DIGITS: usize = 6;
 /// Largest relative residual of an equation that holds.
 const TOLERANCE: f64 = 1e-8;
 
@@ -129,10 +128,7 @@ impl Case {
         put(&mut s, &energy("U", std::slice::from_ref(&system.potential)));
         let [t, u] = ["T", "U"].map(Formula::named);
         let difference = Formula::named("L").equals(Formula::Sum(vec![t, u.negative()]));
-        let mut terms = system.kinetic.clone();
-        terms.push(-&system.potential);
-        terms.retain(|term| !term.is_zero());
-        put(&mut s, &if system.body.is_some() { difference } else { difference.equals(system.sum(&terms)) });
+        put(&mut s, &self.with_terms(difference, -&system.potential));
         s
     }
 
@@ -150,25 +146,19 @@ impl Case {
         }
         s.say("and Lagrange's equation (d/dt) ∂L/∂q\u{307} − ∂L/∂q = 0:");
         for c in &system.coordinates {
-            let l = || Formula::named("L");
-            if system.is_cyclic(c) {
-                let rate = l().derivative(self.dotted(c.symbol), true).time_derivative();
-                put(
-                    &mut s,
-                    &rate.equals(Formula::integer(0)).related(
-                        Relation::Implies,
-                        Formula::List(vec![system.letter(c.momentum).equals(Formula::text("constant"))]),
-                    ),
-                );
-                continue;
-            }
-            if let Some(body) = &system.body {
+            let zero = Formula::integer(0);
+            let formula = if system.is_cyclic(c) {
+                let rate = Formula::named("L").derivative(self.dotted(c.symbol), true).time_derivative();
+                let constant = system.letter(c.momentum).equals(Formula::text("constant"));
+                rate.equals(zero).related(Relation::Implies, constant)
+            } else if let Some(body) = &system.body {
                 let rate = self.momentum(c).time_derivative();
-                put(&mut s, &rate.equals(system.sum(&body.derivative(c.symbol))));
-                continue;
-            }
-            let equation = lagrangian.lagrange_equation(c.symbol, &system.symbols);
-            put(&mut s, &system.collected(&equation, &system.rates()).equals(Formula::integer(0)));
+                rate.equals(system.sum(&body.derivative(c.symbol)))
+            } else {
+                let equation = lagrangian.lagrange_equation(c.symbol, &system.symbols);
+                system.collected(&equation, &system.rates()).equals(zero)
+            };
+            put(&mut s, &formula);
         }
         s
     }
@@ -219,10 +209,8 @@ impl Case {
     fn constants(&self, is_hamiltonian: bool) -> Section {
         let system = &self.system;
         let mut s = Section::new(4, "Conserved quantities");
-        let cyclic: Vec<_> = system.coordinates.iter().filter(|c| system.is_cyclic(c)).collect();
-        for c in &cyclic {
-            let letter = system.letter(c.symbol).to_text();
-            let momentum = system.letter(c.momentum).to_text();
+        for c in system.coordinates.iter().filter(|c| system.is_cyclic(c)) {
+            let [letter, momentum] = [c.symbol, c.momentum].map(|symbol| system.letter(symbol).to_text());
             s.say(match is_hamiltonian {
                 false => format!("{letter} is cyclic: L contains {letter}\u{307}, and not {letter} itself. So {momentum} is constant."),
                 true => format!("{letter} is cyclic: H does not contain {letter}. So {momentum} is constant."),
@@ -235,32 +223,34 @@ impl Case {
             false => "L does not depend on time explicitly, so the energy function h = Σ q\u{307} ∂L/∂q\u{307} − L is constant. It is the energy E = T + U:",
             true => "H does not depend on time explicitly, so dH/dt = ∂H/∂t = 0. H is the energy E = T + U:",
         });
-        let coordinates: Vec<_> = system.coordinates.iter().map(|c| c.symbol).collect();
-        let is_energy = system.lagrangian().energy_function(&coordinates) == system.energy();
-        let mut terms = system.kinetic.clone();
-        terms.push(system.potential.clone());
-        terms.retain(|term| !term.is_zero());
-        let e = Formula::named("E");
-        if is_energy {
-            let sum = Formula::Sum(vec![Formula::named("T"), Formula::named("U")]);
-            let e = e.equals(sum);
-            put(&mut s, &if system.body.is_some() { e } else { e.equals(system.sum(&terms)) });
-        }
+        let sum = Formula::Sum(["T", "U"].map(Formula::named).to_vec());
+        put(&mut s, &self.with_terms(Formula::named("E").equals(sum), system.potential.clone()));
         s
+    }
+
+    /// Returns `left = T + last` with the terms of T, unless these are in the components of ω.
+    fn with_terms(&self, left: Formula, last: RationalFunction) -> Formula {
+        if self.system.body.is_some() {
+            return left;
+        }
+        let mut terms = self.system.kinetic.clone();
+        terms.push(last);
+        terms.retain(|term| !term.is_zero());
+        left.equals(self.system.sum(&terms))
     }
 
     fn values(&self, course: Option<&Course>, h: Option<&Hamiltonian>) -> Section {
         let system = &self.system;
         let mut s = Section::new(6, "Values of this scenario");
         for c in &system.constants {
-            let unit = if c.unit.is_empty() { String::new() } else { format!(" {}", c.unit) };
-            s.line(format!("{} = {}{unit}: {}", system.letter(c.symbol).to_text(), n(c.value), c.meaning));
+            let letter = system.letter(c.symbol).to_text();
+            s.line(format!("{letter} = {} {}: {}", n(c.value), c.unit, c.meaning));
         }
         let Some(course) = course else { return s };
         s.say("At the first instant:");
         let value = |f: &RationalFunction| course.first(f).map_or_else(|| "—".to_owned(), n);
         for c in &system.coordinates {
-            let scales = [c.size, course.rate() * c.size, course.momentum(c.size)];
+            let scales = [c.size, course.rate() * c.size, course.momentum_scale(c.size)];
             let functions = [c.symbol.into(), velocity(c.symbol), c.momentum.into()];
             let [q, v, p] = std::array::from_fn(|k| {
                 let tidy = |x: f64| n(tidy_beside([x, 0.0, 0.0], scales[k])[0]);
@@ -307,16 +297,11 @@ impl Case {
                     let forward = velocity(q) - h.function.derivative(p);
                     let rate = lagrangian.momentum(q).time_derivative(&system.symbols);
                     let backward = rate + h.function.derivative(q);
-                    let name = |of, by| {
-                        format!(
-                            "{} = {}∂H/∂{}",
-                            text(self.dotted(of)),
-                            if of == q { "" } else { "−" },
-                            text(system.letter(by))
-                        )
+                    let name = |left, sign, by| {
+                        format!("{} = {sign}∂H/∂{}", text(self.dotted(left)), text(system.letter(by)))
                     };
-                    add(name(q, p), EQUATION, course.residual(&forward, course.rate() * c.size));
-                    add(name(p, q), EQUATION, course.residual(&backward, force));
+                    add(name(q, "", p), EQUATION, course.residual(&forward, course.rate() * c.size));
+                    add(name(p, "−", q), EQUATION, course.residual(&backward, force));
                 }
             }
         }
@@ -325,7 +310,7 @@ impl Case {
             add(name.clone(), EQUATION, course.residual(equation, course.energy() / size));
         }
         for c in system.coordinates.iter().filter(|c| system.is_cyclic(c)) {
-            let drift = course.drift(&lagrangian.momentum(c.symbol), course.momentum(c.size));
+            let drift = course.drift(&lagrangian.momentum(c.symbol), course.momentum_scale(c.size));
             add(text(system.letter(c.momentum)), CONSTANT, drift);
         }
         if let Some((name, quantity, _)) = &self.conserved {
@@ -384,20 +369,3 @@ impl Case {
 /// Kinds of rows of the verification.
 const EQUATION: &str = "relative residual";
 const CONSTANT: &str = "relative drift";
-
-/// Adds a formula.
-pub(super) fn put(s: &mut Section, formula: &Formula) {
-    s.formula(&formula.to_text(), &formula.to_latex());
-}
-
-/// Formats a number.
-pub(super) fn n(x: f64) -> String {
-    number(x, DIGITS)
-}
-
-/// Returns the second derivative `d²f/dq²`.
-pub(super) fn second_derivative(function: Formula, variable: Formula) -> Formula {
-    let d = Formula::Letter("d".to_owned(), Style::Italic).squared();
-    let below = Formula::Differential { is_partial: false, of: Box::new(variable.squared()) };
-    Formula::product(vec![d, function]).over(below)
-}

@@ -7,10 +7,11 @@ use polhode_algebra::{Formula, Kind, RationalFunction, Relation, Symbol, Symbols
 use polhode_document::Section;
 use polhode_document::unit::amplitude;
 
-use super::case::{Case, n, put, second_derivative};
+use super::case::Case;
 use super::error::LagrangianError;
 use super::system::{System, at_angle, cosine, half_square, velocity};
 use super::verify::{Instant, Motion, plain};
+use super::write::{n, put, second_derivative};
 
 /// Angle between vectors, rad, up to which they count as parallel.
 const PARALLEL: f64 = 1e-9;

@@ -2,7 +2,7 @@
 //!
 //! A module for each kind of system recognizes it in a scenario, and returns its T and U in symbols
 //! with the motion in its coordinates. All else follows from these: `system` has the mechanics,
-//! `verify` compares it with the computed motion, `case` writes the document.
+//! `verify` compares it with the computed motion, `case` makes the document.
 
 mod case;
 mod error;
@@ -16,6 +16,7 @@ mod system;
 mod tests;
 mod top;
 mod verify;
+mod write;
 
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Ending, Event, EventAction, Mechanism, Scenario, Trajectory};

@@ -3,8 +3,8 @@
 use polhode_algebra::{Formula, Kind, RationalFunction, Symbol, Univariate};
 use polhode_document::Section;
 
-use super::case::put;
 use super::system::{System, at_angle};
+use super::write::put;
 
 /// Writes the permanent rotations about axes 2 and 1 of a free body, and small deviations from them.
 pub(super) fn permanent(

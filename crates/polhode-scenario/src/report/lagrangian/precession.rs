@@ -7,8 +7,8 @@ use polhode_algebra::{
 use polhode_document::Section;
 use polhode_document::unit::rate;
 
-use super::case::{n, put, second_derivative};
 use super::system::{System, at_angle, collected, cosine, sine};
+use super::write::{n, put, second_derivative};
 
 /// Writes the effective potential of a symmetric top, its steady motions and small nutations.
 pub(super) fn steady(

@@ -8,10 +8,11 @@ use polhode_algebra::{Formula, Kind, RationalFunction, Symbol, Variable};
 use polhode_document::Section;
 use polhode_document::number::tidy_beside;
 
-use super::case::{Case, n, put};
+use super::case::Case;
 use super::error::LagrangianError;
 use super::system::{Constant, System, half_square, velocity};
 use super::verify::{Instant, Motion, plain};
+use super::write::{n, put};
 
 /// Relative departure from a line up to which a body moves along it.
 const STRAIGHT: f64 = 1e-9;

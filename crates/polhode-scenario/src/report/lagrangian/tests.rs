@@ -119,6 +119,8 @@ fn heavy_top_of_goldstein() {
         "I_1/2*(theta_dot^2 + phi_dot^2*sin(theta)^2) + I_3/2*(psi_dot + phi_dot*cos(theta))^2 - M*g*l*cos(theta)",
     );
     assert_eq!(system.lagrangian(), lagrangian);
+    let coordinates = system.coordinates.iter().map(|c| c.symbol).collect::<Vec<_>>();
+    assert_eq!(lagrangian.energy_function(&coordinates), system.energy());
     let [phi, theta, psi] = [0, 1, 2].map(|k| system.coordinates[k].symbol);
     assert_eq!(lagrangian.momentum(psi), of("I_3*(psi_dot + phi_dot*cos(theta))"));
     assert_eq!(

@@ -7,13 +7,14 @@ use polhode::motion::{HeavyTop, MotionError, Scenario, Trajectory};
 use polhode_algebra::{Formula, Kind, RationalFunction, Symbol};
 use polhode_document::Section;
 
-use super::case::{Case, put};
+use super::case::Case;
 use super::error::LagrangianError;
 use super::euler_angles::{Axes, omega};
 use super::permanent::permanent;
 use super::precession::{numbers, steady};
 use super::system::{BodyRates, System, cosine, half_square};
 use super::verify::plain;
+use super::write::put;
 
 /// Angle from the polar axis, as a sine, below which another polar axis is used.
 const NEAR_POLE: f64 = 0.1;

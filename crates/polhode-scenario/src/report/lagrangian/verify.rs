@@ -86,7 +86,7 @@ impl Course {
     }
 
     /// Returns the scale of the momentum of a coordinate with a size.
-    pub(super) fn momentum(&self, size: f64) -> f64 {
+    pub(super) fn momentum_scale(&self, size: f64) -> f64 {
         if self.rate > 0.0 { self.energy / (self.rate * size) } else { 0.0 }
     }
 

@@ -261,6 +261,20 @@ fn without_a_run() {
     require(&document.to_text(400), &["not verified, because the scenario has no [run]"]);
 }
 
+/// Euler angles are singular along the whole motion of an upright top.
+#[test]
+fn upright_top_is_not_verified() {
+    let upright = TOP
+        .replace("rotate = { axis = [0, 1, 0], angle = '36.86989764584402 deg' }", "")
+        .replace("['60 mm', '0 mm', '80 mm']", "['0 mm', '0 mm', '80 mm']")
+        .replace("euler313 = ['20 deg', '40 deg', '-70 deg']", "euler313 = ['20 deg', '0 deg', '0 deg']")
+        .replace("['60 rad/s', '-3 rad/s', '70 rad/s']", "['0 rad/s', '0 rad/s', '70 rad/s']")
+        .replace("['2 m/s^2', '-3 m/s^2', '-9 m/s^2']", "['0 m/s^2', '0 m/s^2', '-9 m/s^2']");
+    let document = of_text(&upright, false).unwrap();
+    assert!(verified(&document).is_empty());
+    require(&document.to_text(400), &["singular at all samples", "the top sleeps above"]);
+}
+
 #[test]
 fn other_scenarios_are_refused() {
     for (name, why) in [

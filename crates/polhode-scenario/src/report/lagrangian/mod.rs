@@ -12,8 +12,6 @@ mod permanent;
 mod precession;
 mod rolling;
 mod system;
-#[cfg(test)]
-mod tests;
 mod top;
 mod verify;
 mod write;
@@ -101,3 +99,6 @@ fn require_constant(scenario: &Scenario) -> Result<(), LagrangianError> {
     };
     Err(LagrangianError::because(why))
 }
+
+#[cfg(test)]
+mod tests;

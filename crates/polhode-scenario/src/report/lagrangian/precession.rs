@@ -73,7 +73,7 @@ pub(super) fn steady(
     let nutation = Formula::named("Omega").squared();
     put(s, &nutation.equals(system.collected(&square, &[])));
     match weight {
-        None => s.say("The nutation has the rate of the precession: in space axis 3 moves on a cone about L, whatever the polar axis."),
+        None => s.say("The nutation has the rate of the precession: in space, axis 3 moves on a cone about L, whatever the polar axis."),
         Some(_) => sleeping(system, theta, &effective, [p_phi, p_psi], s)?,
     }
     Some(Steady { pair, square, precession })

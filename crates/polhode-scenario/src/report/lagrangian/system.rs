@@ -181,7 +181,8 @@ impl System {
         function: &RationalFunction,
         velocities: &[RationalFunction],
     ) -> Option<RationalFunction> {
-        let place = |v: Variable| self.coordinates.iter().position(|c| is(v, c.symbol.dot()));
+        let rates = || self.coordinates.iter().map(|c| c.symbol.dot().map(Variable::Symbol));
+        let place = |v: Variable| rates().position(|rate| rate == Some(v));
         function.replaced(&|v| Some(place(v).map_or_else(|| v.into(), |k| velocities[k].clone())))
     }
 
@@ -242,11 +243,6 @@ fn in_letters(value: RationalFunction, values: &[RationalFunction], letters: &[S
         }
     }
     value
-}
-
-/// Returns true if a variable is a symbol.
-pub(super) fn is(variable: Variable, symbol: Option<Symbol>) -> bool {
-    symbol.is_some_and(|symbol| variable == Variable::Symbol(symbol))
 }
 
 /// Returns the velocity of a coordinate.

@@ -112,17 +112,23 @@ pub(super) fn free(scenario: &Scenario, run: Option<&Trajectory>) -> Result<Case
     }
     let point = if rotor.is_pivoted() { "the pivot" } else { "the centre of mass" };
     let mut coordinates = Section::new(1, "Coordinates");
+    let (pole, why) = match is_near_pole {
+        false => ("z", ""),
+        true => ("x", ", because axis 3 starts near the z axis, where φ and ψ are undefined"),
+    };
+    let axes_of_body = match axis {
+        Some((axis, _)) => {
+            format!("Axis 3 of the body is its symmetry axis, along {} in body axes.", triple(axis))
+        }
+        None => "The axes of the body are its principal axes 1, 2, 3, with ascending moments.".to_owned(),
+    };
     coordinates.say(format!(
-        "No torque acts. The rotation about {point} has three degrees of freedom. The polar axis is the {} axis of space{}. {} {ANGLES}",
-        if is_near_pole { "x" } else { "z" },
-        if is_near_pole { ", because axis 3 starts near the z axis, where φ and ψ are undefined" } else { "" },
-        if axis.is_some() { "Axis 3 of the body is its symmetry axis." } else { "The axes of the body are its principal axes 1, 2, 3, with ascending moments." },
+        "No torque acts. The rotation about {point} has three degrees of freedom. The polar axis is the {pole} axis of space{why}. {axes_of_body} {ANGLES}"
     ));
     let mut system = System::new();
     let mut s = Section::new(5, "Steady motions and small oscillations");
     let (energies, square) = match axis {
-        Some((axis, [across, axial])) => {
-            coordinates.line(format!("axis 3 = {} in body axes", triple(axis)));
+        Some((_, [across, axial])) => {
             let i1 = system.constant("I_1", across, "kg·m²", "moment across axis 3")?;
             let i3 = system.constant("I_3", axial, "kg·m²", "moment about axis 3")?;
             let angles = symmetric(&mut system, &i1, &i3)?;

@@ -15,10 +15,15 @@ use crate::written::Written;
 /// axes; 4 Euler's equations; 5 ω(t); 6 the attitude. For a prescribed motion, the solution gives
 /// the required torque and the forces on the particles; for a pendulum, the frequency and the exact
 /// period.
+///
+/// The steps with --lagrangian or --hamiltonian: coordinates, T and U, equations of motion,
+/// conserved quantities, small oscillations, values, and the verification along the run. They exist
+/// for pendulums, heavy and free tops, and bodies that roll along a line.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   polhode explain examples/notes/11-10-dumbbell.toml
+  polhode explain examples/notes/11-04-pendulum.toml --lagrangian
   polhode explain examples/t-handle.toml --markdown > t-handle.md
   polhode explain examples/heavy-top.toml --html > heavy-top.html
   polhode explain examples/drag.toml --latex > drag.tex && pdflatex drag.tex

@@ -118,7 +118,7 @@ fn requests_fit() {
     check_request::<torque::Request>(torque::REQUEST_SCHEMA, &full);
     let full = json!({ "file": "top.toml", "verbose": true });
     check_request::<stability::Request>(stability::REQUEST_SCHEMA, &full);
-    let full = json!({ "file": "top.toml" });
+    let full = json!({ "file": "top.toml", "lagrangian": true, "hamiltonian": true });
     check_request::<explain::Request>(explain::REQUEST_SCHEMA, &full);
 }
 

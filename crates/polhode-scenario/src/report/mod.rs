@@ -5,6 +5,7 @@
 //! - [`StabilityReport`]: stability of spins and equilibria;
 //! - [`RequiredReport`]: the torque and the forces that a prescribed motion needs;
 //! - [`explain()`]: the worked solution by steps, as a [`Document`](polhode_document::Document);
+//! - [`lagrangian()`]: the same by Lagrange's or Hamilton's equations;
 //! - [`MotionFigures`]: plots, as SVG and PNG;
 //! - [`page()`]: interactive page of a motion, as one file for a browser.
 //!
@@ -19,6 +20,7 @@ mod forces;
 mod free_facts;
 mod global_error;
 mod history;
+mod lagrangian;
 mod motion;
 mod page;
 mod periods;
@@ -30,6 +32,7 @@ mod stability;
 mod torque;
 
 pub use explain::{exact_tensor, explain, explain_exactly, explain_motion};
+pub use lagrangian::{Formalism, LagrangianError, lagrangian};
 
 pub use motion::MotionReport;
 pub use page::{

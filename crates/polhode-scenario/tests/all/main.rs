@@ -18,6 +18,7 @@ mod gimbal_examples;
 mod gimbals;
 mod golden;
 mod json;
+mod lagrangian;
 mod mass_history;
 mod mistakes;
 mod motion_errors;

@@ -135,6 +135,8 @@ static EXPLAIN: Subcommand = Subcommand {
     name: "explain",
     inputs: &[("fresh", &["body.toml"])],
     options: &[
+        choice("--lagrangian", &["--lagrangian"], &["fresh"], &[]),
+        choice("--hamiltonian", &["--hamiltonian"], &["fresh"], &[]),
         choice("--markdown", &["--markdown"], &["fresh"], &[]),
         choice("--html", &["--html"], &["fresh"], &[]),
         choice("--latex", &["--latex"], &["fresh"], &[]),

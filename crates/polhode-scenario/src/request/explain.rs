@@ -69,7 +69,7 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Solution, Failure> {
             ));
         }
     };
-    report::lagrangian(&file.scenario, formalism).map(Solution).map_err(|error| match error {
+    report::lagrangian(&file.scenario, formalism, &file.exact()).map(Solution).map_err(|error| match error {
         LagrangianError::Motion(error) => failed(&file, error),
         error => Failure::usage(error.to_string(), error.hint()).in_file(&file.path),
     })

@@ -48,6 +48,8 @@ pub struct Symbolic {
     pub omega: Option<Result<Vector, Gap>>,
     /// Angular acceleration dω/dt of a prescribed motion, body axes.
     pub acceleration: Option<Result<Vector, Gap>>,
+    /// Acceleration of gravity, space axes.
+    pub gravity: Option<Result<Vector, Gap>>,
     /// Gravity and axis of a pendulum.
     pub pendulum: Option<Result<SymbolicPendulum, Gap>>,
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use polhode_document::{Block, Document};
 use polhode_scenario::report::{Formalism, LagrangianError, lagrangian};
 use polhode_scenario::request::explain::{REPORT_SCHEMA, Request, run};
+use polhode_scenario::symbolic::Exact;
 use polhode_source::Failure;
 use polhode_source::files::{Disk, Files, Memory};
 
@@ -316,7 +317,7 @@ fn edge_cases_are_verified_or_refused() {
     for scenario in common::all().into_iter().chain(common::ground::all()) {
         for formalism in [Formalism::Lagrange, Formalism::Hamilton] {
             let title = scenario.title().unwrap();
-            match lagrangian(&scenario, formalism) {
+            match lagrangian(&scenario, formalism, &Exact::None) {
                 Ok(document) => {
                     solved += 1;
                     for (name, value) in verified(&document) {
@@ -337,4 +338,19 @@ fn both_forms_are_refused() {
     let request = Request { file: "it.toml".into(), lagrangian: true, hamiltonian: true };
     let failure = run(&request, &Memory::from([("it.toml", TOP)])).unwrap_err();
     assert!(failure.to_string().contains("request one of them"), "{failure}");
+}
+
+#[test]
+fn the_symbols_of_the_file_are_inserted() {
+    // Lecture notes, example 11.4: T = ½ (m₁ + m₂/4) b² θ̇², U = −m₁ g b cos θ − m₂ g (b/2) cos θ
+    let text = of_example("notes/11-04-pendulum.toml", false).unwrap().to_text(400);
+    let lines = [
+        "In the symbols of the file:",
+        "T = 1/2 (m₁ + m₂/4) b² θ\u{307}²",
+        "U = −(m₁ + m₂/2) b g cos θ",
+        "(m₁ + m₂/4) b² θ\u{308} + (m₁ + m₂/2) b g sin θ = 0",
+    ];
+    require(&text, &lines);
+    let text = of_example("notes/force-free-top.toml", true).unwrap().to_text(400);
+    require(&text, &["In the symbols of the file:", "1/2 M R²"]);
 }

@@ -50,6 +50,7 @@ pub(super) fn symbolic(
         tensor,
         omega: None,
         acceleration: None,
+        gravity: None,
         pendulum: None,
     };
     check_body(&symbolic, scenario)?;
@@ -68,7 +69,9 @@ pub(super) fn symbolic(
             Some(_) => about_axis(&letters, &table, "acceleration", Dimension::ANGULAR_ACCELERATION),
             None => Ok(Vector::zero()),
         });
-    symbolic.pendulum = root.get("pendulum").map(|value| pendulum(&letters, &root, &value, scenario));
+    symbolic.gravity = gravity(&letters, &root);
+    symbolic.pendulum =
+        root.get("pendulum").map(|value| pendulum(&letters, &value, symbolic.gravity.clone(), scenario));
     Ok(symbolic)
 }
 
@@ -168,8 +171,8 @@ fn about_axis(
 /// Returns axis and gravity of a pendulum, if the axis is the same in the body and in space.
 fn pendulum(
     letters: &Letters<'_>,
-    root: &Table<'_>,
     value: &Value<'_>,
+    gravity: Option<Result<Vector, Gap>>,
     scenario: &Scenario,
 ) -> Result<SymbolicPendulum, Gap> {
     let what = || "the axis of the pendulum".to_owned();
@@ -186,14 +189,17 @@ fn pendulum(
     if !is_fixed {
         return Err(Gap::Kind { what: what(), why: "is not along the same axes in the body and in space" });
     }
-    let torques = root.get("torque").and_then(|list| list.tables("torque").ok()).unwrap_or_default();
-    let gravity = torques.iter().find_map(|torque| torque.get("acceleration"));
     let gravity = gravity.ok_or_else(|| Gap::Kind {
         what: "the acceleration of gravity".to_owned(),
         why: "is the standard one; write acceleration = [0, 0, \"-g\"] with a symbol g",
-    })?;
-    let gravity =
-        letters.vector(&gravity, Dimension::ACCELERATION, || "the acceleration of gravity".to_owned())?;
+    })??;
     let across = &gravity - &axis.scaled(&axis.dot(&gravity));
     Ok(SymbolicPendulum { gravity: across.dot(&across).square_root(&letters.symbols), axis })
+}
+
+/// Returns the acceleration of gravity, if a torque gives it.
+fn gravity(letters: &Letters<'_>, root: &Table<'_>) -> Option<Result<Vector, Gap>> {
+    let torques = root.get("torque").and_then(|list| list.tables("torque").ok()).unwrap_or_default();
+    let given = torques.iter().find_map(|torque| torque.get("acceleration"))?;
+    Some(letters.vector(&given, Dimension::ACCELERATION, || "the acceleration of gravity".to_owned()))
 }

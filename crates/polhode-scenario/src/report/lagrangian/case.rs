@@ -7,9 +7,11 @@ use polhode_document::{Document, Section};
 
 use super::Formalism;
 use super::error::LagrangianError;
+use super::in_symbols::in_symbols;
 use super::system::{Coordinate, Hamiltonian, System, half_square, velocity};
 use super::verify::{Course, Departure, Motion};
 use super::write::{n, put};
+use crate::symbolic::Symbolic;
 
 /// Largest relative residual of an equation that holds.
 const TOLERANCE: f64 = 1e-8;
@@ -65,6 +67,7 @@ impl Case {
         &self,
         scenario: &Scenario,
         formalism: Formalism,
+        symbolic: Option<&Symbolic>,
     ) -> Result<Document, LagrangianError> {
         let singular = || LagrangianError::because("its velocities do not follow from the momenta");
         let hamiltonian = match formalism {
@@ -79,13 +82,17 @@ impl Case {
         let course = motion.map(|motion| Course::of(&self.system, motion).ok_or(LagrangianError::OutOfRange));
         let course = course.transpose()?;
         let rows = course.as_ref().map(|course| self.rows(course, hamiltonian.as_ref())).transpose()?;
+        let mut energies = self.energies();
+        if let Some(of) = symbolic {
+            in_symbols(&self.system, of, &mut energies);
+        }
         Ok(Document {
             title: scenario.title().unwrap_or("A rigid body").to_owned(),
             verdict: None,
             answer: self.answer(title, rows.as_deref()),
             sections: vec![
                 self.coordinates.clone(),
-                self.energies(),
+                energies,
                 equations,
                 self.constants(hamiltonian.is_some()),
                 self.oscillations.clone(),

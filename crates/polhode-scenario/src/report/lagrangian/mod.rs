@@ -8,6 +8,7 @@ mod case;
 mod error;
 mod euler_angles;
 mod fixed_axis;
+mod in_symbols;
 mod permanent;
 mod precession;
 mod rolling;
@@ -20,6 +21,7 @@ use polhode::motion::torque::TorqueModel;
 use polhode::motion::{Ending, Event, EventAction, Mechanism, Scenario, Trajectory};
 use polhode_document::Document;
 
+use crate::symbolic::Exact;
 use case::Case;
 pub use error::LagrangianError;
 
@@ -40,13 +42,14 @@ pub enum Formalism {
 /// use polhode::motion::{Run, Suspension};
 /// use polhode::prelude::*;
 /// use polhode_scenario::report::{Formalism, lagrangian};
+/// use polhode_scenario::symbolic::Exact;
 /// let body = MassProperties::new(2.0, Position::new(0.3, 0.0, 0.0), InertiaTensor::diagonal([0.1, 0.2, 0.25])?)?;
 /// let gravity = UniformGravity { acceleration: Acceleration::new(9.81, 0.0, 0.0) };
 /// let pendulum = Scenario::new(body)
 ///     .held_at(Position::ZERO)?
 ///     .with_torques([TorqueModel::Gravity(gravity)])?
 ///     .suspended_from(Suspension { axis: Direction::new(0.0, 0.0, 1.0), amplitude: None })?;
-/// let text = lagrangian(&pendulum, Formalism::Lagrange)?.to_text(100);
+/// let text = lagrangian(&pendulum, Formalism::Lagrange, &Exact::None)?.to_text(100);
 /// assert!(text.contains("I θ\u{308} + M g d sin θ = 0"), "{text}");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -54,13 +57,17 @@ pub enum Formalism {
 /// # Errors
 /// [`LagrangianError`] for a scenario that is none of the supported systems, or whose motion cannot
 /// be computed.
-pub fn lagrangian(scenario: &Scenario, formalism: Formalism) -> Result<Document, LagrangianError> {
+pub fn lagrangian(
+    scenario: &Scenario,
+    formalism: Formalism,
+    exact: &Exact,
+) -> Result<Document, LagrangianError> {
     require_constant(scenario)?;
     let run = scenario.simulate().transpose()?;
     if let Some(Ending::Failed { cause, .. }) = run.as_ref().map(Trajectory::ending) {
         return Err(cause.clone().into());
     }
-    recognized(scenario, run.as_ref())?.document(scenario, formalism)
+    recognized(scenario, run.as_ref())?.document(scenario, formalism, exact.symbols())
 }
 
 /// Returns the system of a scenario.

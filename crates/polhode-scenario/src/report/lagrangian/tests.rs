@@ -162,11 +162,11 @@ fn planted_signs_are_found() {
     ] {
         for formalism in [Formalism::Lagrange, Formalism::Hamilton] {
             let (scenario, right) = case(text);
-            right.document(&scenario, formalism).unwrap();
+            right.document(&scenario, formalism, None).unwrap();
             for (k, defect) in defects.iter().enumerate() {
                 let (scenario, mut wrong) = case(text);
                 defect(&mut wrong);
-                let error = wrong.document(&scenario, formalism).unwrap_err();
+                let error = wrong.document(&scenario, formalism, None).unwrap_err();
                 assert!(matches!(error, LagrangianError::NotVerified { .. }), "{text}: defect {k}: {error}");
             }
         }
@@ -181,7 +181,7 @@ fn planted_friction_is_found() {
     for instant in &mut motion.instants {
         instant.others.last_mut().unwrap().1 *= -1.0;
     }
-    let error = wrong.document(&scenario, Formalism::Lagrange).unwrap_err();
+    let error = wrong.document(&scenario, Formalism::Lagrange, None).unwrap_err();
     assert!(matches!(error, LagrangianError::NotVerified { .. }), "{error}");
 }
 

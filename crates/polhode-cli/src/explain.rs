@@ -33,7 +33,7 @@ pub(crate) struct Explain {
     #[command(flatten)]
     request: Option<Request>,
     /// Print a derivation of the lecture notes, such as euler-equations; without a name, list them.
-    #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = "", conflicts_with = "file")]
+    #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = "", conflicts_with_all = ["file", "lagrangian", "hamiltonian"])]
     derive: Option<String>,
     #[command(flatten)]
     written: Written,

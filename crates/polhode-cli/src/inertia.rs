@@ -7,7 +7,7 @@ mod output;
 mod robot;
 
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
 use polhode_scenario::read::ScenarioFile;
@@ -74,10 +74,10 @@ impl Inertia {
             return done;
         }
         host.files = Some(FileProgress::new(self.request.files.len()));
+        let steps = if self.symbols { self.in_symbols(&host)? } else { String::new() };
         let bodies = run_in(&self.request, &Disk, &mut host);
         drop(host);
         let bodies = bodies?;
-        let steps = if self.symbols { in_symbols(&self.request.files)? } else { String::new() };
         let text = self.output.text(&bodies);
         if self.output.has_no_room() {
             tell(&bodies.noticed());
@@ -95,27 +95,34 @@ impl Inertia {
         }
         Failure::unless_empty(failures)
     }
-}
 
-/// Returns the steps to the tensors of scenarios, in exact formulas.
-fn in_symbols(files: &[PathBuf]) -> Result<String, Failure> {
-    let mut text = String::new();
-    for path in files {
-        let file = ScenarioFile::read(&Disk, path)?;
-        let exact = file.exact();
-        if let Exact::Gap(gap) = &exact {
-            let hint = "name all lengths and masses under [symbols], or leave out --symbols";
-            return Err(Failure::usage(format!("{}: {gap}", path.display()), hint));
+    /// Returns the steps to the tensors of scenarios, in exact formulas.
+    fn in_symbols(&self, host: &Command<'_>) -> Result<String, Failure> {
+        let hint = "name the lengths and masses of a scenario: [symbols] with b = \"0.3 m\", then size = [\"b\", \"b\", \"2*b\"]";
+        if self.request.files.is_empty() {
+            return Err(Failure::usage("--symbols needs a scenario file", hint));
         }
-        let document = exact_tensor(&file.scenario, &exact);
-        let document = document.map_err(|error| Failure::motion(path.display().to_string(), error))?;
-        let document = document.ok_or_else(|| {
-            let hint = "name its lengths and masses: [symbols] with b = \"0.3 m\", then size = [\"b\", \"b\", \"2*b\"]";
-            Failure::usage(format!("{} has no [symbols]", path.display()), hint)
-        })?;
-        text += &format!("\n{}", document.to_text(100));
+        let mut text = String::new();
+        for path in &self.request.files {
+            let name = path.display();
+            if self.request.kind(path, &Disk, host)? != Kind::Scenario {
+                return Err(Failure::usage(format!("--symbols needs a scenario, and {name} is none"), hint));
+            }
+            let file = ScenarioFile::read(&Disk, path)?;
+            let exact = file.exact();
+            if let Exact::Gap(gap) = &exact {
+                let hint = "name all lengths and masses under [symbols], or leave out --symbols";
+                return Err(Failure::usage(format!("{name}: {gap}"), hint));
+            }
+            let document = exact_tensor(&file.scenario, &exact);
+            let document = document.map_err(|error| Failure::motion(name.to_string(), error))?;
+            let document =
+                document.ok_or_else(|| Failure::usage(format!("{name} has no [symbols]"), hint))?;
+            text += &format!("\n{}", document.to_text(100).trim_end());
+            text.push('\n');
+        }
+        Ok(text)
     }
-    Ok(text)
 }
 
 /// Readers of scenarios and robot models, and progress on the terminal.

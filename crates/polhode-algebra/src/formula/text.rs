@@ -90,6 +90,12 @@ impl Writer for Text {
             Accent::Bar => '\u{304}',
         };
         let text = base.to_text();
+        // Unicode has these as one character each.
+        if let (Accent::Hat, Some(letter)) = (accent, text.chars().next())
+            && let Some((_, joined)) = [('y', 'ŷ'), ('z', 'ẑ')].into_iter().find(|(base, _)| *base == letter)
+        {
+            return Block::line(format!("{joined}{}", &text[1..]));
+        }
         let letter = text.chars().next().map_or(0, char::len_utf8);
         Block::line(format!("{}{mark}{}", &text[..letter], &text[letter..]))
     }

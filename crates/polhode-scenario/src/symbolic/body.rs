@@ -78,8 +78,11 @@ impl SymbolicBody {
     }
 
     /// Returns an upper estimate of the number of terms in an element of the tensor about the centre
-    /// of mass, M Σ m r² − (Σ m r)².
+    /// of mass, M Σ m r² − (Σ m r)²; 0 for a single shape or particle, whose tensor is its own.
     pub fn central_terms(&self) -> usize {
+        if self.all().count() < 2 {
+            return 0;
+        }
         let terms = |value: &RationalFunction| {
             if value.is_zero() {
                 0

@@ -352,5 +352,5 @@ fn the_symbols_of_the_file_are_inserted() {
     ];
     require(&text, &lines);
     let text = of_example("notes/force-free-top.toml", true).unwrap().to_text(400);
-    require(&text, &["In the symbols of the file:", "1/2 M R²"]);
+    require(&text, &["In the symbols of the file:", "T = 1/24 M (3 R² + h²) θ\u{307}²"]);
 }

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use std::{fs, iter};
 
 use polhode_scenario::read as scenario;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::common::page::{blocks, names, root, rows, scenario_pages, scenario_reference, section};
 use super::fit::fits;
@@ -297,17 +297,24 @@ fn words(schema: &'static Value) -> Vec<&'static str> {
             (_, items) if items.get("properties").is_some() => vec!["array of tables"],
             (Some(2), _) => vec!["[2]", "array of two"],
             (Some(3), items) if items["minItems"] == 3 => vec!["[3][3]"],
-            (Some(3), items) if items["type"] == "number" => vec!["direction", "[3] of numbers"],
+            (Some(3), items) if is_number(items) => vec!["direction", "[3] of numbers"],
             (Some(3), _) => vec!["[3]"],
             (Some(4), _) => vec!["[4]"],
             _ => Vec::new(),
         },
         Some("object") => vec!["table", "rotation"],
         Some("number") => vec!["number"],
+        _ if is_number(schema) => vec!["number"],
         Some("string") => vec!["string"],
         _ if !schema["enum"].is_null() => vec!["string", "`\""],
         _ => Vec::new(),
     }
+}
+
+/// Returns true for a plain number, or a formula in its place.
+fn is_number(schema: &Value) -> bool {
+    schema["type"] == "number"
+        || schema["type"] == json!(["number", "string"]) && schema["description"].is_null()
 }
 
 #[test]

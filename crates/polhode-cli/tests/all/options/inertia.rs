@@ -26,6 +26,7 @@ const ANY: &[&str] = &[
     "again",
     "parts overlapping",
     "shape",
+    "symbols",
 ];
 const MESHES: &[&str] = &[
     "parts",
@@ -96,6 +97,7 @@ static INERTIA: Subcommand = Subcommand {
         ("grid", &["grid.npy"]),
         ("shape", &["--mass", "85 g"]),
         ("bare shape", &[]),
+        ("symbols", &["cube.toml"]),
     ],
     options: &[
         choice("--box", &["--box", "20 cm, 10 cm, 6 cm"], SHAPES, &[]),
@@ -169,6 +171,7 @@ static INERTIA: Subcommand = Subcommand {
             &["unnamed", "torn unnamed", "holed unnamed", "again unnamed", "unnamed overlapping"],
             &[],
         ),
+        choice("--symbols", &["--symbols"], &["symbols"], &[]),
         choice("--about", &["--about", "5 mm, 0, 8 mm"], ANY, &[]),
         choice("--along", &["--along", "0.9,0.1,-0.2,0.3"], ANY, &[]),
         choice("--json", &["--json"], ANY, &[]),

@@ -50,6 +50,17 @@ fn npy() -> Vec<u8> {
     bytes
 }
 
+/// Answers to an exercise, with the sign of the products reversed.
+const ANSWERS: &str = "topic = 'box-about-corner'
+seed = 7
+[answers]
+I = [
+  ['0.11447 kg m^2', '0.11951 kg m^2', '0.07548 kg m^2'],
+  ['0.11951 kg m^2', '0.34295 kg m^2', '0.03876 kg m^2'],
+  ['0.07548 kg m^2', '0.03876 kg m^2', '0.39213 kg m^2'],
+]
+";
+
 const BODY: &str = r#"
 [[body.part]]
 name = "brick"
@@ -196,9 +207,13 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             scratch.write("gyro.csv", &text);
         }
         "hung" | "shape" | "bare shape" => {}
+        "symbols" => {
+            fs::copy(crate::common::example("notes/11-03-cube.toml"), scratch.0.join("cube.toml")).unwrap();
+        }
         "given" => {
             fs::copy(crate::common::example("slew.toml"), scratch.0.join("slew.toml")).unwrap();
         }
+        "topic" | "graded" => scratch.write("mine.toml", ANSWERS),
         "long" | "long before" => scratch.write("body.toml", &format!("{BODY}{LONG_RUN}")),
         _ => {
             scratch.write("body.toml", &format!("{BODY}{RUN}"));

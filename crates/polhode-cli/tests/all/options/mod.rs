@@ -233,6 +233,7 @@ fn every_subcommand_is_looked_at() {
         "torque",
         "sweep",
         "explain",
+        "exercise",
         "identify",
         "budget",
     ];

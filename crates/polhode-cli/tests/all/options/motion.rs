@@ -133,8 +133,9 @@ static TORQUE: Subcommand = Subcommand {
 
 static EXPLAIN: Subcommand = Subcommand {
     name: "explain",
-    inputs: &[("fresh", &["body.toml"])],
+    inputs: &[("fresh", &["body.toml"]), ("none", &[])],
     options: &[
+        choice("--derive", &["--derive", "cones"], &["none"], &[]),
         choice("--lagrangian", &["--lagrangian"], &["fresh"], &[]),
         choice("--hamiltonian", &["--hamiltonian"], &["fresh"], &[]),
         choice("--markdown", &["--markdown"], &["fresh"], &[]),
@@ -143,7 +144,27 @@ static EXPLAIN: Subcommand = Subcommand {
         choice("--json", &["--json"], &["fresh"], &[]),
         choice("--width", &["--width", "60"], &["fresh"], &[]),
     ],
-    independent: &[],
+    independent: &[("--derive", "*", "it prints a derivation in place of the solution of a scenario")],
+};
+
+static EXERCISE: Subcommand = Subcommand {
+    name: "exercise",
+    inputs: &[("topic", &["box-about-corner"]), ("graded", &["--answers", "mine.toml"])],
+    options: &[
+        choice("--seed", &["--seed", "7"], &["topic"], &[]),
+        choice("--symbols", &["--symbols"], &["topic"], &[]),
+        choice("--answers", &["--answers", "mine.toml"], &["topic"], &[]),
+        choice("--solution", &["--solution"], &["topic", "graded"], &[]),
+        choice("--markdown", &["--markdown"], &["topic", "graded"], &[]),
+        choice("--html", &["--html"], &["topic", "graded"], &[]),
+        choice("--latex", &["--latex"], &["topic", "graded"], &[]),
+        choice("--json", &["--json"], &["topic", "graded"], &[]),
+        choice("--width", &["--width", "60"], &["topic", "graded"], &[]),
+    ],
+    independent: &[
+        ("--answers", "--seed", "the file states its seed; another one is refused"),
+        ("--answers", "--symbols", "the file states whether it is in symbols; the contrary is refused"),
+    ],
 };
 
 const PLANS: &[&str] = &["fresh", "swept before"];
@@ -194,6 +215,11 @@ fn pairs_of_torque() {
 #[test]
 fn pairs_of_explain() {
     every_pair_is_honoured_or_refused(&EXPLAIN);
+}
+
+#[test]
+fn pairs_of_exercise() {
+    every_pair_is_honoured_or_refused(&EXERCISE);
 }
 
 #[test]

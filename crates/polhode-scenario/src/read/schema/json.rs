@@ -89,7 +89,8 @@ fn of_value(value: &Accepted, place: &Place) -> Value {
 fn scalar(value: &Accepted) -> Option<Value> {
     let has = |plain| value.plain.contains(&plain);
     let is_quantity = !value.dimensions.is_empty();
-    let is_text = is_quantity || has(Plain::Text) && value.names.is_empty();
+    // A number may be a formula of the file's symbols.
+    let is_text = is_quantity || has(Plain::Number) || has(Plain::Text) && value.names.is_empty();
     let types = [
         ("number", is_quantity || has(Plain::Number)),
         ("integer", has(Plain::Count) && !is_quantity && !has(Plain::Number)),

@@ -16,14 +16,15 @@ async function open(fragment = "", options = {}) {
   const { page, problems, close } = await emptyPage(browser, { viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
   await page.goto(pathToFileURL(pageFile).href + fragment);
   await page.waitForSelector("body.live:not(.waiting)");
-  await page.waitForSelector(fragment === "" ? ".exercise li" : ".exercise textarea", { state: "attached" });
+  if (fragment !== "") await page.waitForSelector(".exercise textarea");
   return { page, problems, close };
 }
 
+const press = (page, name) => page.click(`.exercise button:text-is("${name}")`);
 const title = (page) => page.locator(".exercise h2").innerText();
 const grade = async (page, text) => {
   await page.fill(".exercise textarea", text);
-  await page.click("text=Grade");
+  await press(page, "Grade");
   await page.waitForFunction(() => document.querySelector(".exercise-grades").textContent !== "");
   const found = await page.locator(".exercise-grades").innerText();
   await page.evaluate(() => document.querySelector(".exercise-grades").replaceChildren());
@@ -39,6 +40,7 @@ const tensor = (sign) => {
 test("from the list: a wrong answer with its reason, the right one, the solution, the next exercise", async () => {
   const { page, problems, close } = await open();
   await page.click("#tab-lesson");
+  await page.waitForSelector(".exercise li");
   assert.ok((await page.locator(".exercise li").count()) >= 25);
   await page.click(".exercise >> text=Inertia tensor of a box about its corner");
   await page.waitForSelector(".exercise textarea");
@@ -46,7 +48,7 @@ test("from the list: a wrong answer with its reason, the right one, the solution
   assert.equal(await page.locator(".lessons").count(), 1, "the list of lessons, which is hidden");
   assert.equal(await page.locator(".lessons").isVisible(), false);
   for (const seed of [2, 3, 4, 5, 6, 7]) {
-    await page.click("text=Next");
+    await press(page, "Next");
     await page.waitForFunction((seed) => document.querySelector(".exercise h2").innerText.includes(`seed ${seed})`), seed);
   }
   assert.match(page.url(), /#exercise=box-about-corner,7$/);
@@ -55,13 +57,13 @@ test("from the list: a wrong answer with its reason, the right one, the solution
   assert.match(await grade(page, tensor("")), /^0 of 1 right\s+I: wrong, the sign of the products of inertia is reversed/);
   assert.match(await grade(page, tensor("-")), /^1 of 1 right\s+I: right$/);
   assert.equal(await page.locator(".exercise .formula").count(), 0, "no solution yet");
-  await page.click("text=Solution");
+  await press(page, "Solution");
   await page.waitForSelector(".exercise .formula math");
   assert.match(await page.locator(".exercise").innerText(), /If you found/);
-  await page.click("text=Next");
+  await press(page, "Next");
   await page.waitForFunction(() => document.querySelector(".exercise h2").innerText.includes("seed 8"));
   assert.equal(await page.locator(".exercise .formula").count(), 0);
-  await page.click("text=All exercises");
+  await press(page, "All exercises");
   await page.waitForSelector(".exercise li");
   assert.equal(await page.evaluate(() => location.hash), "");
   assert.equal(await page.locator(".lessons").isVisible(), true);
@@ -76,7 +78,7 @@ test("the address restores an exercise; another one follows its change; edited a
   await page.check(".exercise input[type=checkbox]");
   await page.waitForFunction(() => document.querySelector(".exercise h2").innerText.includes("in symbols"));
   assert.match(page.url(), /#exercise=two-mass-pendulum,3,symbols$/);
-  assert.equal(await page.locator("text=Next").isVisible(), false);
+  assert.equal(await page.locator('.exercise button:text-is("Next")').isVisible(), false);
   assert.match(await grade(page, 'omega_0_squared = "2*g*(2*m_1 + m_2)/(b*(4*m_1 + m_2))"'), /^1 of 1 right/);
   await page.uncheck(".exercise input[type=checkbox]");
   await page.waitForFunction(() => document.querySelector(".exercise h2").innerText.includes("seed 3"));
@@ -113,9 +115,9 @@ for (const colorScheme of ["light", "dark"]) {
       const { page, problems, close } = await open("#exercise=box-about-corner,7", { viewport: { width, height: 844 }, colorScheme });
       await shoot(page, `exercise-${colorScheme}-${width}`);
       await grade(page, tensor(""));
-      await page.click("text=Grade");
+      await press(page, "Grade");
       await page.waitForSelector(".exercise-grades li");
-      await page.click("text=Solution");
+      await press(page, "Solution");
       await page.waitForSelector(".exercise .formula math");
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), true);
       const cut = await page.evaluate(() => [...document.querySelectorAll(".exercise > *")].filter((e) => e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0).map((e) => e.outerHTML.slice(0, 80)));
@@ -124,6 +126,10 @@ for (const colorScheme of ["light", "dark"]) {
       await shoot(page, `exercise-${colorScheme}-${width}-graded`);
       await page.locator(".exercise .formula").first().scrollIntoViewIfNeeded();
       await shoot(page, `exercise-${colorScheme}-${width}-solved`);
+      await press(page, "All exercises");
+      await page.waitForSelector(".exercise li");
+      const beyond = await page.evaluate(() => [...document.querySelectorAll(".exercise button")].filter((e) => e.getBoundingClientRect().right > innerWidth).map((e) => e.textContent));
+      assert.deepEqual(beyond, []);
       assert.deepEqual(problems, []);
       await close();
     });

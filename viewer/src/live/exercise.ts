@@ -102,10 +102,12 @@ export class Exercises {
     const solve = button("Solution", async () => {
       const answer = await this.#ask(name, null, true);
       if (!answer?.solution) return;
-      working(solution, answer.solution);
+      const heading = element("h3", { tabindex: "-1" }, "Solution");
+      solution.replaceChildren(heading);
+      // The first block is the title.
+      working(solution, answer.solution.slice(1));
       solve.disabled = true;
-      solution.tabIndex = -1;
-      solution.focus();
+      heading.focus();
     });
     const next = button("Next", () => void this.#open({ ...name, seed: name.seed + 1 }));
     // The problem in symbols is the same for each seed.

@@ -16,6 +16,11 @@ export class Refused extends Error {
   }
 }
 
+/** Returns the message of an error, with advice if there is any. */
+export function reason(problem: unknown): string {
+  return [problem instanceof Error ? problem.message : String(problem), problem instanceof Refused ? problem.hint : null].filter(Boolean).join(" — ");
+}
+
 const workshop = new Workshop(embedded.module, embedded.worker);
 
 export const engine = {

@@ -2,7 +2,7 @@
 import type { App } from "../app";
 import { element } from "../dom";
 import { working } from "../panels/working";
-import { engine, Refused } from "./engine";
+import { engine, reason } from "./engine";
 import type { ExerciseAnswer, Exercises as Topics } from "./protocol";
 
 /** Exercise as the address names it. */
@@ -18,7 +18,7 @@ export class Exercises {
   readonly host = element("div", { class: "exercise" });
   readonly #app: App;
   readonly #say: (words: string) => void;
-  readonly #topics: Promise<Topics["topics"]>;
+  #requested: Promise<Topics["topics"]> | null = null;
   /** Edited answers by the fragment of their exercise. */
   readonly #edited = new Map<string, string>();
   /** Counts requests: an answer to an earlier one is not shown. */
@@ -27,15 +27,16 @@ export class Exercises {
   constructor(app: App, say: (words: string) => void) {
     this.#app = app;
     this.#say = say;
-    this.#topics = engine.exercises().then(
-      ({ topics }) => topics,
-      (problem: unknown) => {
-        this.#fail(problem);
-        return [];
-      },
-    );
     window.addEventListener("hashchange", () => this.openLinked(location.hash));
-    void this.#list();
+  }
+
+  /** Shows the topics, unless an exercise is open. */
+  async list(): Promise<void> {
+    const all = await this.#topics;
+    if (this.host.querySelector("form")) return;
+    const one = ({ topic, title }: Topics["topics"][number]): HTMLElement =>
+      element("li", {}, element("button", { type: "button", click: () => void this.#open({ topic, seed: 1, symbols: false }) }, title));
+    this.host.replaceChildren(element("h2", {}, "Exercises"), element("p", {}, "Compute, and have the answers graded."), element("ol", { class: "topics" }, ...all.map(one)));
   }
 
   /** Opens the exercise in the fragment of an address, if it names one. */
@@ -44,6 +45,19 @@ export class Exercises {
     const [, topic, seed, symbols] = /^([a-z0-9-]+)(?:,(\d{1,15}))?(,symbols)?$/.exec(fragment.slice(PREFIX.length)) ?? [];
     if (topic === undefined) this.#say(`The link is damaged: an exercise is ${PREFIX}TOPIC,SEED, such as ${PREFIX}box-about-corner,7`);
     else void this.#open({ topic, seed: Number(seed ?? 1), symbols: symbols !== undefined });
+  }
+
+  /** Topics, which the page does not request before it shows them. */
+  get #topics(): Promise<Topics["topics"]> {
+    this.#requested ??= engine.exercises().then(
+      ({ topics }) => topics,
+      (problem: unknown) => {
+        this.#say(reason(problem));
+        this.#requested = null;
+        return [];
+      },
+    );
+    return this.#requested;
   }
 
   async #open(name: Name): Promise<void> {
@@ -66,26 +80,16 @@ export class Exercises {
       const answer = await engine.exercise({ ...name, answers, solution });
       return request === this.#latest ? answer : null;
     } catch (problem) {
-      this.#fail(problem);
+      this.#say(reason(problem));
       return null;
     }
-  }
-
-  #fail(problem: unknown): void {
-    this.#say([problem instanceof Error ? problem.message : String(problem), problem instanceof Refused ? problem.hint : null].filter(Boolean).join(" — "));
-  }
-
-  async #list(): Promise<void> {
-    const all = await this.#topics;
-    const one = ({ topic, title }: Topics["topics"][number]): HTMLElement =>
-      element("li", {}, element("button", { type: "button", click: () => void this.#open({ topic, seed: 1, symbols: false }) }, title));
-    this.host.replaceChildren(element("h2", {}, "Exercises"), element("p", {}, "Compute, and have the answers graded."), element("ol", { class: "topics" }, ...all.map(one)));
   }
 
   #close(): void {
     this.#latest += 1;
     history.replaceState(null, "", location.pathname);
-    void this.#list();
+    this.host.replaceChildren();
+    void this.list();
   }
 
   #show(name: Name, { problem: [title, ...rest], template }: ExerciseAnswer, hasSymbols: boolean): void {

@@ -41,6 +41,7 @@ orSay(() => {
       title: "Lessons",
       fill: (host) => {
         host.append(lessons.host, exercises.host);
+        void exercises.list();
         return undefined;
       },
     },

@@ -52,7 +52,7 @@ pub struct ExerciseAnswer {
 
 /// Returns the list of topics.
 pub(crate) fn topics() -> Result<Value, Refusal> {
-    let mut report = run(&Request::default(), &Memory::default()).map_err(|failure| refused(&failure))?;
+    let report = run(&Request::default(), &Memory::default()).map_err(|failure| refused(&failure))?;
     Ok(json!({ "topics": report.to_json()["topics"].take() }))
 }
 

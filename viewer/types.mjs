@@ -10,7 +10,7 @@ const read = (path) => JSON.parse(readFileSync(resolve(root, "crates", path), "u
 
 /** Name of the type, schema, and file of each schema. */
 const TYPES = [
-  ["Exchange", "polhode-web/schema/protocol.json", "viewer/src/live/protocol.ts", 'import type { PageData, Shape } from "../data";'],
+  ["Exchange", "polhode-web/schema/protocol.json", "viewer/src/live/protocol.ts", 'import type { ExplanationBlock, PageData, Shape } from "../data";'],
   ["InertiaRequest", "polhode-shape/schema/request.json", "npm/src/types/inertia-request.ts"],
   ["InertiaReport", "polhode-shape/schema/report.json", "npm/src/types/inertia-report.ts"],
   ["CheckRequest", "polhode-robot/schema/request.json", "npm/src/types/check-request.ts"],

@@ -19,12 +19,12 @@ const MAY_USE: [(&str, &[&str]); 20] = [
     ("polhode-identify", &SLICE),
     ("polhode-budget", &SLICE),
     ("polhode-sweep", &SLICE),
-    ("polhode-web", FRONT.split_at(10).0),
+    ("polhode-web", FRONT.split_at(11).0),
     ("polhode-npm", FRONT.split_at(7).0),
     ("polhode-wasm", &["polhode-source", "polhode-web", "polhode-npm"]),
     ("polhode-live", &["polhode-source", "polhode-web"]),
     ("polhode-mcp", FRONT.split_at(8).0),
-    ("polhode-cli", FRONT.split_at(14).0),
+    ("polhode-cli", FRONT.split_at(15).0),
     ("polhode-py", &FRONT),
 ];
 
@@ -34,7 +34,7 @@ const WITH_SHAPE_AND_ALGEBRA: [&str; 6] =
     ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape", "polhode-algebra"];
 const SLICE: [&str; 6] =
     ["polhode", "polhode-source", "polhode-document", "polhode-table", "polhode-shape", "polhode-scenario"];
-const FRONT: [&str; 15] = [
+const FRONT: [&str; 16] = [
     "polhode",
     "polhode-source",
     "polhode-document",
@@ -45,6 +45,7 @@ const FRONT: [&str; 15] = [
     "polhode-judge",
     "polhode-identify",
     "polhode-budget",
+    "polhode-course",
     "polhode-sweep",
     "polhode-web",
     "polhode-live",

@@ -7,6 +7,7 @@ use polhode_source::files::Files;
 use serde::Serialize;
 
 use crate::documents::{Documents, DroppedSet};
+use crate::exercise::{self, ExerciseAnswer, ExerciseRequest};
 use crate::framed::{json, with_rows};
 use crate::inspect::{DocumentContent, MeshInspection};
 use crate::lesson::{self, LessonError, Lessons};
@@ -163,6 +164,15 @@ impl Engine {
         Ok(self.lessons.open(id, &self.documents, files, watch)?)
     }
 
+    /// Makes an exercise, and grades the answers of the request. Errors of their text are part of the
+    /// answer.
+    ///
+    /// # Errors
+    /// [`Refusal`] for an unknown topic, or one without a problem in symbols if that is requested.
+    pub fn exercise(&self, request: &ExerciseRequest) -> Result<ExerciseAnswer, Refusal> {
+        exercise::answer(request)
+    }
+
     /// Changes a text and computes its motion. Errors of the text are part of the answer.
     ///
     /// # Errors
@@ -248,6 +258,8 @@ impl Engine {
             Message::Mesh { id } => DocumentContent::Mesh { mesh: self.mesh(id, files, watch)? }.to_bytes(),
             Message::Lessons => json(&serde_json::json!({ "lessons": self.lessons(files) })),
             Message::Lesson { id } => json(&self.lesson(&id, files, watch)?),
+            Message::Exercises => json(&exercise::topics()?),
+            Message::Exercise(request) => json(&self.exercise(&request)?),
             Message::Motion(request) => {
                 let answer = self.motion(&request, files, watch)?;
                 with_rows(&answer, answer.motion.as_ref().map_or(&[], |motion| &motion.rows))

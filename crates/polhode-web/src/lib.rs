@@ -1,7 +1,7 @@
 //! Engine of the interactive page: pure, without clock, threads, network or file access.
 //!
 //! [`Engine`] answers the requests of the page: it changes the text of a scenario, computes its
-//! motion, completes the text, opens lessons, inspects meshes and robots, and reports on parts lists,
+//! motion, completes the text, opens lessons, grades exercises, inspects meshes and robots, and reports on parts lists,
 //! measurements and logs. A caller passes the
 //! [files](polhode_source::files::Files) that may be read, and a [`Watch`] that ends long
 //! computations. `polhode live` calls the engine from its server; in a browser, a worker passes
@@ -20,6 +20,7 @@
 mod documents;
 mod edit;
 mod engine;
+mod exercise;
 mod framed;
 mod inspect;
 mod kind;
@@ -41,6 +42,7 @@ mod watch;
 
 pub use documents::DroppedSet;
 pub use engine::Engine;
+pub use exercise::{ExerciseAnswer, ExerciseRequest};
 pub use framed::{json, json_before_rows};
 pub use inspect::{DocumentContent, MeshInspection, RobotInspection};
 pub use knob::knobs;

@@ -6,6 +6,7 @@ use polhode_source::json_value;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use crate::exercise::ExerciseRequest;
 use crate::protocol::{CompleteRequest, MotionRequest};
 use crate::refusal::{Refusal, RefusalKind};
 use crate::table::ReportRequest;
@@ -42,6 +43,10 @@ pub enum Message {
         /// Identifier of the lesson.
         id: String,
     },
+    /// Lists the topics of exercises.
+    Exercises,
+    /// Makes an exercise, and grades answers to it.
+    Exercise(ExerciseRequest),
     /// Changes a text and computes the motion.
     Motion(MotionRequest),
     /// Returns the report on a table.

@@ -1,7 +1,7 @@
 /** Requests to the engine, which computes in a worker of the page. */
 import { motionAnswer } from "./motion-answer";
 import { embedded } from "./embedded";
-import type { CompleteAnswer, CompleteRequest, DocumentContent, DocumentInfo, Documents, Lesson, Lessons, MeshContent, MotionAnswer, MotionRequest, Refusal, ReportAnswer, ReportRequest } from "./protocol";
+import type { CompleteAnswer, CompleteRequest, DocumentContent, DocumentInfo, Documents, ExerciseAnswer, ExerciseRequest, Exercises, Lesson, Lessons, MeshContent, MotionAnswer, MotionRequest, Refusal, ReportAnswer, ReportRequest } from "./protocol";
 import { jsonAndRows } from "./rows";
 import { Workshop } from "./workshop";
 
@@ -14,6 +14,11 @@ export class Refused extends Error {
     this.name = "Refused";
     this.hint = hint;
   }
+}
+
+/** Returns the message of an error, with advice if there is any. */
+export function reason(problem: unknown): string {
+  return [problem instanceof Error ? problem.message : String(problem), problem instanceof Refused ? problem.hint : null].filter(Boolean).join(" — ");
 }
 
 const workshop = new Workshop(embedded.module, embedded.worker);
@@ -30,6 +35,8 @@ export const engine = {
   complete: (request: CompleteRequest, signal: AbortSignal): Promise<CompleteAnswer> => ask({ complete: request }, { isKept: false, signal }),
   lessons: (): Promise<Lessons> => ask("lessons"),
   lesson: (id: string): Promise<Lesson> => ask({ lesson: { id } }, { isKept: true }),
+  exercises: (): Promise<Exercises> => ask("exercises"),
+  exercise: (request: ExerciseRequest): Promise<ExerciseAnswer> => ask({ exercise: request }),
   /** Begins with a teacher's own lesson, and returns its id. */
   lessonFile: (path: string): Promise<{ id: string }> => ask({ lesson_file: { path } }, { isKept: true }),
   /** Adds a file, or replaces it. */

@@ -6,7 +6,7 @@ import type { App } from "../app";
 import { element } from "../dom";
 import { working } from "../panels/working";
 import type { DocumentInfo, Lesson, LessonInfo, LessonStep } from "./protocol";
-import { engine, Refused } from "./engine";
+import { engine, reason } from "./engine";
 import type { Session } from "./session";
 
 interface Surroundings {
@@ -91,7 +91,7 @@ export class Lessons {
       [this.#lesson, this.#document] = [lesson, document];
       return true;
     } catch (problem) {
-      this.#of.say([problem instanceof Error ? problem.message : String(problem), problem instanceof Refused ? problem.hint : null].filter(Boolean).join(" — "));
+      this.#of.say(reason(problem));
       return false;
     }
   }

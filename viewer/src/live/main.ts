@@ -5,6 +5,7 @@ import { Actions } from "./actions";
 import { Drop } from "./drop";
 import { Editor } from "./editor";
 import { EMPTY } from "./empty";
+import { Exercises } from "./exercise";
 import { Files } from "./files";
 import { frame } from "./framed";
 import { Inspection } from "./inspection/inspection";
@@ -39,7 +40,8 @@ orSay(() => {
       id: "lesson",
       title: "Lessons",
       fill: (host) => {
-        host.append(lessons.host);
+        host.append(lessons.host, exercises.host);
+        void exercises.list();
         return undefined;
       },
     },
@@ -71,6 +73,7 @@ orSay(() => {
   const knobs = new Knobs(session, pad.host, () => ({ page: app.page, motion: app.motion }));
   document.querySelector(".view")?.append(knobs.host);
   const lessons = new Lessons({ app, session, choose: (keys) => knobs.show(keys), say: (words) => notice.say(words), listed: (all) => void shown.update(all) });
+  const exercises = new Exercises(app, (words) => notice.say(words));
   session.wantsWorking = () => app.tabs.current === "working" || lessons.wantsWorking;
   if (app.view) {
     new TipHandle(app, app.view, session);
@@ -83,7 +86,7 @@ orSay(() => {
   window.polhodeLive = session;
   window.polhodeInspection = inspection;
   window.polhodeReport = report;
-  void begin(session, shown, notice, lessons);
+  void begin(session, shown, notice, lessons, exercises);
 });
 
 declare global {
@@ -110,7 +113,9 @@ function troubles(session: Session): void {
   });
 }
 
-async function begin(session: Session, shown: Shown, notice: Notice, lessons: Lessons): Promise<void> {
+async function begin(session: Session, shown: Shown, notice: Notice, lessons: Lessons, exercises: Exercises): Promise<void> {
+  // A lesson changes the address.
+  const fragment = location.hash;
   const files = new Files();
   try {
     const linked = await readFragment(location.hash).catch(() => {
@@ -134,6 +139,7 @@ async function begin(session: Session, shown: Shown, notice: Notice, lessons: Le
     else if (!session.document) notice.say("Drop a scenario, a parts list, a log, a mesh, a robot or a molecule on the page, or open a file.");
     // An opened document clears the notice.
     if (files.problems.length > 0) notice.say(files.problems.join("\n"));
+    exercises.openLinked(fragment);
     files.watch(
       (all) => void shown.update(all),
       (isLost) => document.body.classList.toggle("lost", isLost),

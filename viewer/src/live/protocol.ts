@@ -1,11 +1,11 @@
 /* Types of crates/polhode-web/schema/protocol.json, written by viewer/types.mjs; do not edit. */
-import type {PageData, Shape} from "../data";
+import type {ExplanationBlock, PageData, Shape} from "../data";
 
 /**
  * Request of the page.
  */
 export type Request =
-  | ("documents" | "lessons" | "open_example")
+  | ("documents" | "lessons" | "exercises" | "open_example")
   | {
       document: {
         /**
@@ -32,6 +32,9 @@ export type Request =
     }
   | {
       motion: MotionRequest;
+    }
+  | {
+      exercise: ExerciseRequest;
     }
   | {
       complete: CompleteRequest;
@@ -141,7 +144,18 @@ export interface Exchange {
    * Answer; those to `open`, `particles` and `open_example` are a DocumentInfo.
    */
   answer:
-    Documents | DocumentContent | MotionAnswer | CompleteAnswer | ReportAnswer | Lessons | Lesson | LessonFile | DocumentInfo | Refused;
+    | Documents
+    | DocumentContent
+    | MotionAnswer
+    | CompleteAnswer
+    | ReportAnswer
+    | Lessons
+    | Lesson
+    | LessonFile
+    | Exercises
+    | ExerciseAnswer
+    | DocumentInfo
+    | Refused;
 }
 /**
  * `{"motion": MotionRequest}`: changes a scenario and computes its motion.
@@ -173,6 +187,31 @@ export interface MotionRequest {
    * `body` of the last answer. Data of the body that the page has already are not sent again.
    */
   body: string | null;
+}
+/**
+ * `{"exercise": ExerciseRequest}`: makes an exercise, and grades answers to it.
+ */
+export interface ExerciseRequest {
+  /**
+   * Name of the topic.
+   */
+  topic: string;
+  /**
+   * Seed of the numbers.
+   */
+  seed: number;
+  /**
+   * True for the problem in symbols.
+   */
+  symbols: boolean;
+  /**
+   * Answers to be graded, in the form of the template; null for none.
+   */
+  answers: string | null;
+  /**
+   * True to return the solution.
+   */
+  solution: boolean;
 }
 /**
  * `{"complete": CompleteRequest}`: completions at a place of the text.
@@ -845,6 +884,68 @@ export interface LessonFile {
    * Identifier of the lesson.
    */
   id: string;
+}
+/**
+ * Answer to `"exercises"`: topics in the order of the chapter.
+ */
+export interface Exercises {
+  /**
+   * Items: Topic of exercises.
+   */
+  topics: {
+    /**
+     * Name; `#exercise=TOPIC,SEED` in the page's address opens an exercise.
+     */
+    topic: string;
+    /**
+     * Title of the topic.
+     */
+    title: string;
+    /**
+     * True if the topic has a problem in symbols.
+     */
+    symbols: boolean;
+  }[];
+}
+/**
+ * Exercise, with grades and solution if they are requested.
+ */
+export interface ExerciseAnswer {
+  /**
+   * Problem, its title first.
+   */
+  problem: ExplanationBlock[];
+  /**
+   * Answers as TOML, with question marks.
+   */
+  template: string;
+  /**
+   * Null without answers, or if their text has an error.
+   */
+  grades:
+    | {
+        /**
+         * Name of the answer.
+         */
+        name: string;
+        /**
+         * Grade of the answer.
+         */
+        grade: "right" | "wrong" | "wrong unit" | "missing";
+        /**
+         * Mistake, if it is recognized; empty for right and missing answers.
+         */
+        reason: string;
+      }[]
+    | null;
+  /**
+   * Errors in the text of the answers: at most one.
+   */
+  errors: TextError[];
+  /**
+   * Solution; null if it is not requested.
+   */
+  solution: ExplanationBlock[] | null;
 }
 /**
  * Answer to a request that is refused.

@@ -36,7 +36,7 @@ pub use lagrangian::{Formalism, LagrangianError, lagrangian};
 
 pub use motion::MotionReport;
 pub use page::{
-    PageInput, PageSubject, has_triangles, page, page_data, page_data_within, page_of, page_rows,
+    PageInput, PageSubject, has_triangles, page, page_blocks, page_data, page_data_within, page_of, page_rows,
 };
 pub use periods::Periods;
 pub use plot::{Figure, MotionFigures, PlotError};

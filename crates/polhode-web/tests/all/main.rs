@@ -4,6 +4,7 @@
 
 #[path = "../../../polhode-source/tests/common/chance.rs"]
 mod chance;
+mod exercise;
 mod ground_lessons;
 mod hostile;
 mod inspect;

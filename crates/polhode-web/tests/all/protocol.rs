@@ -1,7 +1,9 @@
 //! Requests and answers conform to the schema of which the page's TypeScript types are made.
 
 use polhode_source::files::Memory;
-use polhode_web::{Edit, Engine, Message, MotionRequest, PROTOCOL_SCHEMA, ReportRequest, TableKind};
+use polhode_web::{
+    Edit, Engine, ExerciseRequest, Message, MotionRequest, PROTOCOL_SCHEMA, ReportRequest, TableKind,
+};
 use serde_json::{Value, json};
 
 use crate::schema::fits;
@@ -121,6 +123,12 @@ fn requests_and_answers_conform() {
     for lesson in lessons["lessons"].as_array().unwrap() {
         let id = lesson["id"].as_str().unwrap().to_owned();
         ask(&engine, &files, &Message::Lesson { id }, "Lesson");
+    }
+    let topics = ask(&engine, &files, &Message::Exercises, "Exercises");
+    let (topic, symbols) = (topics["topics"][0]["topic"].as_str().unwrap().to_owned(), false);
+    for answers in ["", "[", "1"].map(|text| Some(text.to_owned())) {
+        let request = ExerciseRequest { topic: topic.clone(), seed: 3, symbols, answers, solution: true };
+        ask(&engine, &files, &Message::Exercise(request), "ExerciseAnswer");
     }
     ask(&engine, &files, &Message::LessonFile { path: "racket.toml".into() }, "LessonFile");
     ask(&engine, &files, &Message::Document { id: 9999 }, "Refused");

@@ -33,7 +33,7 @@ pub(crate) fn json(input: &PageInput<'_>, room: Room, rows: &mut Rows) -> Value 
     let contact = contact::json(input.trajectory, &input.subject, &shown, rows);
     let motion = motion::json(&shown, &contact, rows);
     let free = free_facts.as_ref().map_or(Value::Null, |free| free::json(free, &shown, input.whole, rows));
-    let explanation = input.explanation.map_or_else(|| json!([]), explanation::json);
+    let explanation = input.explanation.map_or_else(|| json!([]), explanation::page_blocks);
     let mut left = match room {
         Room::Beside(_) => LEAST_MESH,
         Room::Of(bytes) => bytes,

@@ -1,4 +1,4 @@
-//! Worked solution, with formulas as MathML.
+//! Documents as blocks of the page, with formulas as MathML.
 
 use polhode_document::Picture;
 use polhode_document::layout::plain_spaces;
@@ -7,7 +7,8 @@ use polhode_document::number::{DIGITS, alike, tidy_matrix};
 use polhode_document::{Block, Document, Section};
 use serde_json::{Value, json};
 
-pub(crate) fn json(document: &Document) -> Value {
+/// Returns the blocks of a document: `ExplanationBlock[]` of `viewer/src/data.ts`.
+pub fn page_blocks(document: &Document) -> Value {
     let mut blocks = vec![heading(1, &document.title)];
     blocks.extend(document.answer.iter().map(|line| text(line)));
     for section in &document.sections {

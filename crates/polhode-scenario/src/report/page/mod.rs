@@ -28,6 +28,7 @@ mod top;
 mod turning;
 
 pub use decimate::decimated;
+pub use explanation::page_blocks;
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
 use polhode::motion::{Scenario, Trajectory};

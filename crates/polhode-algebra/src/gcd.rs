@@ -2,9 +2,9 @@
 //!
 //! First a heuristic, which is fast and proves its result. If it does not succeed, the primitive
 //! Euclidean algorithm follows (Knuth, *The Art of Computer Programming*, §4.6.1, algorithm E;
-//! Geddes, Czapor and Labahn, *Algorithms for Computer Algebra*, §7.2): polynomials in one main variable, whose coefficients are
-//! polynomials in the others. Remainders are divided by their contents, which keeps coefficients as
-//! small as possible; the contents are gcds of fewer variables.
+//! Geddes, Czapor and Labahn, *Algorithms for Computer Algebra*, §7.2): polynomials in one main
+//! variable, whose coefficients are polynomials in the others. Remainders are divided by their
+//! contents, which keeps coefficients as small as possible; the contents are gcds of fewer variables.
 
 use std::collections::{BTreeMap, BTreeSet};
 

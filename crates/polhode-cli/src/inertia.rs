@@ -66,6 +66,7 @@ impl Inertia {
             page::check_file(file, self.force)?;
         }
         let mut host = Command { robot: &self.robot, files: None, samples: None };
+        let steps = if self.symbols { self.in_symbols(&host)? } else { String::new() };
         let fits = |file: &Path| self.request.kind(file, &Disk, &host).map(drop);
         // A shape with --table is refused below.
         if !self.request.primitive.is_given()
@@ -74,7 +75,6 @@ impl Inertia {
             return done;
         }
         host.files = Some(FileProgress::new(self.request.files.len()));
-        let steps = if self.symbols { self.in_symbols(&host)? } else { String::new() };
         let bodies = run_in(&self.request, &Disk, &mut host);
         drop(host);
         let bodies = bodies?;
@@ -98,7 +98,7 @@ impl Inertia {
 
     /// Returns the steps to the tensors of scenarios, in exact formulas.
     fn in_symbols(&self, host: &Command<'_>) -> Result<String, Failure> {
-        let hint = "name the lengths and masses of a scenario: [symbols] with b = \"0.3 m\", then size = [\"b\", \"b\", \"2*b\"]";
+        let hint = "leave out --symbols; it is for scenarios with [symbols], such as b = \"0.3 m\" and size = [\"b\", \"b\", \"2*b\"]";
         if self.request.files.is_empty() {
             return Err(Failure::usage("--symbols needs a scenario file", hint));
         }

@@ -1,8 +1,8 @@
 //! Engine of the interactive page: pure, without clock, threads, network or file access.
 //!
 //! [`Engine`] answers the requests of the page: it changes the text of a scenario, computes its
-//! motion, completes the text, opens lessons, grades exercises, inspects meshes and robots, and reports on parts lists,
-//! measurements and logs. A caller passes the
+//! motion, completes the text, opens lessons, grades exercises, inspects meshes and robots, and
+//! reports on parts lists, measurements and logs. A caller passes the
 //! [files](polhode_source::files::Files) that may be read, and a [`Watch`] that ends long
 //! computations. `polhode live` calls the engine from its server; in a browser, a worker passes
 //! [messages](Message) to [`Engine::answer`].

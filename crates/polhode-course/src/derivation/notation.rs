@@ -11,8 +11,8 @@
 //! power     = "²" | "³" | … | "^" operand
 //! ```
 //!
-//! An operand is a number, a symbol, `~r_α` (bold), `x̂_i` (a unit vector, bold), `sin θ`, `Σ_ij a`, `∫_0^b a`,
-//! `d/dt a`, `∂a`, `dx`, `(a)`, `[a]`, or cells in brackets: `(a, b; c, d)`. `{I}` is the
+//! An operand is a number, a symbol, `~r_α` (bold), `x̂_i` (a unit vector, bold), `sin θ`,
+//! `Σ_ij a`, `∫_0^b a`, `d/dt a`, `∂a`, `dx`, `(a)`, `[a]`, or cells in brackets: `(a, b; c, d)`. `{I}` is the
 //! matrix with the elements `I_ij`.
 
 use polhode_algebra::{Accent, Fence, Formula, Large, Operator, Relation, Style};
@@ -234,7 +234,8 @@ impl Reader<'_> {
     }
 }
 
-/// Returns the formula of an index: digits, up to two letters and digits that are an index each, or a word.
+/// Returns the formula of an index: digits, up to two letters and digits that are an index each, or
+/// a word.
 fn index(text: &str) -> Option<Formula> {
     let style = if text.chars().count() < 3 { Style::Italic } else { Style::Upright };
     let is_number = text.bytes().all(|c| c.is_ascii_digit());

@@ -40,7 +40,8 @@ pub struct Request {
     /// The scenario, a TOML file.
     #[cfg_attr(feature = "arguments", arg(required = false, required_unless_present = "derive"))]
     pub file: PathBuf,
-    /// Solve by Lagrange's equations: T, U, momenta, equations of motion, conserved quantities, small oscillations.
+    /// Solve by Lagrange's equations: T, U, momenta, equations of motion, conserved quantities, small
+    /// oscillations.
     #[cfg_attr(feature = "arguments", arg(long, conflicts_with = "hamiltonian"))]
     pub lagrangian: bool,
     /// Solve by Hamilton's canonical equations.

@@ -26,7 +26,7 @@ pub struct SymbolicPart {
 /// Particle of a body.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SymbolicParticle {
-    /// Mass m.
+    /// Mass of the particle.
     pub mass: RationalFunction,
     /// Position, body axes.
     pub position: Vector,

@@ -5,10 +5,10 @@ use polhode_algebra::{Matrix, RationalFunction, SquareRoot, Symbol, Symbols, Vec
 use super::body::SymbolicBody;
 use super::gap::Gap;
 
-/// What a file says exactly about its scenario.
+/// Exact formulas of a scenario, as far as its file has them.
 #[derive(Clone, Debug)]
 pub enum Exact {
-    /// Numbers only.
+    /// None: the file has numbers only.
     None,
     /// Fractions in SI units: all lengths and masses are short decimals.
     Fractions(Symbolic),
@@ -38,7 +38,7 @@ pub struct Symbolic {
     pub pi: Symbol,
     /// Parts of the body.
     pub body: SymbolicBody,
-    /// Mass M.
+    /// Mass of the body.
     pub mass: RationalFunction,
     /// Centre of mass c, body axes.
     pub center: Vector,

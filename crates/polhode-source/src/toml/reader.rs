@@ -411,7 +411,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// Returns the value of a formula of symbols; `None` if it is no formula. It is not cached,
+    /// Returns the value of a formula of symbols; `None` for other values. It is not cached,
     /// because it changes with the symbols.
     fn evaluated(&self, dimension: Dimension) -> Option<Result<f64, FormatError>> {
         let (Kind::Text(text), Some(symbols)) = (&self.value.kind, self.source.symbols) else { return None };

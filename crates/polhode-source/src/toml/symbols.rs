@@ -66,7 +66,7 @@ impl Symbols {
     /// Returns a formula; variable n is symbol n.
     ///
     /// # Errors
-    /// [`ExpressionError`] for a text that is no formula of the symbols with this dimension.
+    /// [`ExpressionError`] for a text that is not a formula of the symbols with this dimension.
     pub fn formula(&self, text: &str, dimension: Dimension) -> Result<Formula, ExpressionError> {
         let variables: Vec<(&str, Dimension)> =
             self.0.iter().map(|symbol| (symbol.name.as_str(), symbol.dimension)).collect();

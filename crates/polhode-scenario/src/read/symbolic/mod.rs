@@ -191,7 +191,7 @@ fn pendulum(
     }
     let gravity = gravity.ok_or_else(|| Gap::Kind {
         what: "the acceleration of gravity".to_owned(),
-        why: "is the standard one; write acceleration = [0, 0, \"-g\"] with a symbol g",
+        why: "is the standard one, and not a formula such as [0, 0, \"-g\"]",
     })??;
     let across = &gravity - &axis.scaled(&axis.dot(&gravity));
     Ok(SymbolicPendulum { gravity: across.dot(&across).square_root(&letters.symbols), axis })

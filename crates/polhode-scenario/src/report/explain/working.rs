@@ -39,7 +39,7 @@ pub(crate) struct Working<'a> {
     pub contact: Option<ContactState>,
     /// Computed motion; `None` without a run.
     pub trajectory: Option<Cow<'a, Trajectory>>,
-    /// What the file says exactly.
+    /// Exact formulas of the file.
     pub exact: &'a Exact,
     /// Rows of the table in step 5; empty without a run, or on the ground.
     pub rows: Rows,

@@ -27,7 +27,7 @@ pub(super) fn principal(of: &Symbolic, tensor: &Matrix, moments: [f64; 3], s: &m
     let terms: usize = elements().map(|e| e.numerator().term_count()).sum();
     let symbols: BTreeSet<Symbol> = elements().flat_map(RationalFunction::symbols).collect();
     if terms > MOST_TERMS || symbols.len() > MOST_SYMBOLS {
-        s.say("The characteristic equation of so many symbols is long; its roots follow in numbers.");
+        s.say("The characteristic equation is long, with many symbols; its roots follow in numbers.");
         return;
     }
     equation(of, tensor, &rest, s);

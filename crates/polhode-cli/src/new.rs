@@ -32,6 +32,8 @@ pub(crate) struct New {
 enum Starter {
     /// Table-tennis bat that flips in flight.
     Bat,
+    /// Cube about its corner, in symbols.
+    Cube,
     /// Spinning top on its tip.
     Top,
     /// Quadrotor built from its parts, tumbling.
@@ -82,6 +84,7 @@ impl Starter {
     const fn template(self) -> Template {
         match self {
             Self::Bat => template!("bat.toml", "polhode simulate bat.toml --open"),
+            Self::Cube => template!("cube.toml", "polhode explain cube.toml"),
             Self::Top => template!("top.toml", "polhode simulate top.toml --open"),
             Self::Drone => template!("drone.toml", "polhode simulate drone.toml --open"),
             Self::Pencil => template!("pencil.toml", "polhode stability pencil.toml"),

@@ -94,7 +94,7 @@ fn the_first_file_of_each_tutorial_is_a_starter() {
     let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/tutorials");
     let scratch = Scratch::new("starter-tutorials");
     for (tutorial, starter, file) in [
-        ("student", "bat", "bat.toml"),
+        ("student", "cube", "cube.toml"),
         ("spacecraft-engineer", "pencil", "pencil.toml"),
         ("robot-engineer", "gripper", "gripper.urdf"),
         ("planetary-scientist", "moon", "moon.toml"),
@@ -111,6 +111,8 @@ fn the_first_file_of_each_tutorial_is_a_starter() {
     }
     let page = fs::read_to_string(book.join("physics-engine-author.md")).unwrap();
     assert!(page.contains("`polhode new log`"));
+    let page = fs::read_to_string(book.join("student.md")).unwrap();
+    assert!(page.contains("`polhode new bat`"));
 }
 
 /// Returns the lines of a file without comments, titles of molecules, and blank lines.

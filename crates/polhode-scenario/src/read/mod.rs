@@ -387,7 +387,10 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     scenario = gimbals::gimbals(&root, scenario, pivot.as_ref().map(|pivot| pivot.value))?;
     scenario = shaft::shaft(&root, &start, scenario)?;
     scenario = pendulum::pendulum(&root, scenario.noting(findings))?;
-    symbols::require_used(&symbols, &root)?;
+    // Members of sweeps have cached parts, whose formulas are not evaluated again.
+    if root.is_shown() {
+        symbols::require_used(&symbols, &root)?;
+    }
     let noticed = scenario.check();
     let scenario = scenario.noting(noticed).noting(shared.and_then(|shared| shared.underground()));
     Ok((scenario, torques.places))

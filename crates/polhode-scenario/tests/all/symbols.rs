@@ -154,6 +154,21 @@ fn all_formulas_follow_a_varied_symbol() {
 }
 
 #[test]
+fn another_key_may_vary_beside_formulas() {
+    let plan = with_length(SYMBOLS)
+        + "[sweep]\nmembers = 4\nsampling = 'monte carlo'\nvary = [{ key = 'body.part[1].position[0]', uniform = { from = '1 cm', to = '3 cm' } }]\n";
+    let plan = plan.replace("radius = 'sqrt", "position = ['2 cm', 0, 0]\nradius = 'sqrt");
+    let template = Template::parse(&Memory::default(), plan.clone(), Path::new("plan.toml")).unwrap();
+    let key = template.sweep().unwrap().vary[0].target.clone();
+    for x in [0.011, 0.02, 0.029] {
+        let member = template.scenario([(&key, &[x][..])]).unwrap();
+        let written = plan.replace("['2 cm', 0, 0]", &format!("['{x} m', 0, 0]"));
+        let written = parse(written.split("[sweep]").next().unwrap()).unwrap();
+        assert_eq!(member.body().inertia().matrix(), written.body().inertia().matrix());
+    }
+}
+
+#[test]
 fn an_edited_symbol_changes_unedited_formulas() {
     let mut draft = Draft::new(Path::new("test.toml"), []);
     for length in ["20 cm", "25 cm", "20 cm"] {

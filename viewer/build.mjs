@@ -6,7 +6,6 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
-import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
 
 const { values: given } = parseArgs({ options: { check: { type: "boolean" }, plain: { type: "boolean" }, module: { type: "string" }, page: { type: "string" }, commit: { type: "string" } } });
@@ -82,6 +81,12 @@ async function replay() {
   };
 }
 
+/** Compresses a text as gzip, 4 % smaller than zlib does. */
+async function smallest(text) {
+  const { default: zopfli } = await import("@gfx/zopfli");
+  return zopfli.gzipAsync(Buffer.from(text), { numiterations: 15 });
+}
+
 /** The interactive page: its parts are compressed, in base 116; `src/live/boot.ts` and `worker.ts` unpack them. */
 async function interactive() {
   const codemirror = version("@codemirror/view");
@@ -94,7 +99,7 @@ async function interactive() {
   };
   const parts = [
     packed("polhode-module", readFileSync(given.module)),
-    packed("polhode-viewer", gzipSync(JSON.stringify(viewer), { level: 9 })),
+    packed("polhode-viewer", await smallest(JSON.stringify(viewer))),
     inside("script", await bundle("src/live/boot.ts", { format: "iife", target: "es2022" })),
   ];
   const policy = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; connect-src 'none'; style-src 'unsafe-inline'; img-src data: blob:; font-src data:";

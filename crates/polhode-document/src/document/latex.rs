@@ -8,6 +8,9 @@ use crate::finding;
 use crate::layout::{broken, plain_spaces, printable};
 use crate::number::{DIGITS, alike, tidy_matrix};
 
+/// End of a line. The braces keep a following `[` or `*` from being its argument.
+const END: &str = "\\\\{}\n";
+
 /// Largest width of a line of numbers, columns.
 const LONGEST: usize = 84;
 
@@ -62,10 +65,10 @@ fn render(block: &Block) -> String {
         Block::Picture(_) => String::new(),
         Block::Table { headers, rows } => {
             let row = |cells: &[String]| cells.iter().map(|cell| words(cell)).collect::<Vec<_>>().join(" & ");
-            let body: String = rows.iter().map(|cells| format!("{} \\\\\n", row(cells))).collect();
+            let body = rows.iter().map(|cells| row(cells)).collect::<Vec<_>>().join(END);
             let columns = "r".repeat(headers.len());
             format!(
-                "{{\\footnotesize\\setlength{{\\tabcolsep}}{{3pt}}\\begin{{tabular}}{{{columns}}}\n{} \\\\ \\hline\n{body}\\end{{tabular}}\\par}}",
+                "{{\\footnotesize\\setlength{{\\tabcolsep}}{{3pt}}\\begin{{tabular}}{{{columns}}}\n{} \\\\ \\hline\n{body}\n\\end{{tabular}}\\par}}",
                 row(headers)
             )
         }
@@ -76,7 +79,7 @@ fn render(block: &Block) -> String {
 fn typed(lines: &[String]) -> String {
     let lines = lines.iter().flat_map(|line| broken(line, "", LONGEST));
     let lines: Vec<String> = lines.map(|line| words(&line).replace(' ', "~")).collect();
-    format!("{{\\small\\ttfamily\\raggedright\n{}\\par}}", lines.join("\\\\\n"))
+    format!("{{\\small\\ttfamily\\raggedright\n{}\\par}}", lines.join(END))
 }
 
 /// Returns a graph in TikZ, 10 cm by 5 cm.

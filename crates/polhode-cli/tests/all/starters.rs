@@ -7,8 +7,9 @@ use std::path::Path;
 use crate::common::{Scratch, refused, stdout};
 
 /// Name, exit status of the next command, and a part of its answer.
-const STARTERS: [(&str, i32, &str); 13] = [
+const STARTERS: [(&str, i32, &str); 14] = [
     ("bat", 0, "Flips every 1.612 s"),
+    ("cube", 0, "I₂ = I₃ = 11/12 M b²"),
     ("top", 0, "precess"),
     ("drone", 0, "Torque N: drag"),
     ("pencil", 0, "Spin about axis 3 is stable; about axes 1 and 2 unstable"),

@@ -359,7 +359,7 @@ fn latex_holds_any_name() {
 /// LaTeX takes a `[` after the end of a line for an argument of that end.
 #[test]
 fn a_line_may_begin_with_a_bracket_in_latex() {
-    let document = Document::of_text("It", "topic = \"box\"\n[answers]\n* 3");
+    let document = polhode_document::Document::of_text("It", "topic = \"box\"\n[answers]\n* 3");
     let latex = document.to_latex();
     assert!(latex.contains("\\\\{}\n[answers]\\\\{}\n"), "{latex}");
 }

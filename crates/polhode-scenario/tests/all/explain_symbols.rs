@@ -258,9 +258,7 @@ axis = [0, 0, 1]
             "ω₀ = √(M g d/I) = √((M + m₂/2)/(M + m₂/4) · g/b)",
         ],
     );
-    let turned = scenario(text)
-        .replace("angle = \"30 deg\" }", "angle = \"30 deg\" }")
-        .replace("attitude = { axis = [0, 0, 1]", "attitude = { axis = [1, 0, 0]");
+    let turned = scenario(text).replace("attitude = { axis = [0, 0, 1]", "attitude = { axis = [1, 0, 0]");
     let lines = explained(&turned);
     let said =
         "Not in symbols: the axis of the pendulum is not along the same axes in the body and in space.";

@@ -44,7 +44,7 @@ fn sine(k: i64) -> Option<Value> {
 }
 
 /// Returns the rotation by an angle with this sine and cosine about an axis a of any length:
-/// R = cos θ 1 + (1 − cos θ) n nᵀ + sin θ [n]×, n = a/|a|. `None` if |a| is not rational.
+/// R = cos θ 1 + (1 − cos θ) n nᵀ + sin θ \[n\]×, n = a/|a|. `None` if |a| is not rational.
 pub fn about_axis(axis: &Vector, [sin, cos]: &[Value; 2], symbols: &Symbols) -> Option<Matrix> {
     let n = unit(axis, symbols)?;
     let cross = Matrix([

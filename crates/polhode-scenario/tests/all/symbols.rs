@@ -182,3 +182,19 @@ fn an_edited_symbol_changes_unedited_formulas() {
         "{keys:?}"
     );
 }
+
+#[test]
+fn a_plain_number_stands_beside_a_sine_but_not_beside_an_angle() {
+    let text = |axis: &str, angles: &str| {
+        format!(
+            "[symbols]\nalpha = '30 deg'\n[[body.part]]\nshape = 'box'\nsize = [1, 2, 3]\nmass = 1\n\
+             rotate = {{ {angles} }}\n[prescribed]\naxis = {axis}\nrate = 3\n"
+        )
+    };
+    let angles = "roll_pitch_yaw = ['alpha', 0, '10 deg']";
+    assert!(parse(&text("[0.25, 'sin(2*(alpha))/2', 'cos(alpha)']", angles)).is_ok());
+    let error = parse(&text("[0.25, 'alpha*sin(alpha)', 1]", angles)).unwrap_err();
+    assert!(error.to_string().contains("given with its unit"), "{error}");
+    let error = parse(&text("[0, 0, 1]", "roll_pitch_yaw = ['alpha', 0.5, 0]")).unwrap_err();
+    assert!(error.to_string().contains("given with its unit"), "{error}");
+}

@@ -80,7 +80,9 @@ fn alike<'a>(
     nodes: &[&Node],
 ) -> Result<(), FormatError> {
     let texts = nodes.iter().filter_map(|node| text(node));
-    let is_formula = |text: &&str| measured(text).is_err() && words(text).any(|word| symbols.contains(&word));
+    let is_formula = |text: &&str| {
+        measured(text).is_err() && words(&without_sines(text)).any(|word| symbols.contains(&word))
+    };
     let beside_formula = || {
         let with = texts.clone().find(is_formula)?;
         let is_nonzero = |text: &&str| bare(text).is_some_and(|value| value != 0.0);
@@ -103,6 +105,21 @@ fn alike<'a>(
         true => format!("write \"{without} {unit}\""),
         false => format!("write \"{without} {unit}\", or \"{without} {si}\""),
     }))
+}
+
+/// Returns a formula without its sines, cosines and tangents, which are plain numbers.
+fn without_sines(text: &str) -> String {
+    let mut rest = text.to_owned();
+    while let Some(start) = ["sin(", "cos(", "tan("].iter().filter_map(|name| rest.find(name)).min() {
+        let mut depth = 0;
+        let end = rest[start..].char_indices().find(|&(_, c)| {
+            depth += i32::from(c == '(') - i32::from(c == ')');
+            c == ')' && depth == 0
+        });
+        let Some((length, _)) = end else { break };
+        rest.replace_range(start..=start + length, "1");
+    }
+    rest
 }
 
 /// Returns a number as it is written, with its unit if it has one.

@@ -134,6 +134,11 @@ test("the floor fades before the frame ends", async () => {
   const { page, problems, close } = await open(browser, "floor", sliding());
   for (const viewport of [{ width: 1024, height: 768 }, { width: 390, height: 844 }]) {
     await page.setViewportSize(viewport);
+    await page.waitForFunction(({ width }) => {
+      const { camera } = window.polhode.view.orbit;
+      const { clientWidth, clientHeight } = document.querySelector("#canvas");
+      return innerWidth === width && Math.abs(camera.aspect - clientWidth / clientHeight) < 1e-9;
+    }, viewport);
     const beyond = await page.evaluate(() => {
       const { view } = window.polhode;
       const { clientWidth, clientHeight } = document.querySelector("#canvas");

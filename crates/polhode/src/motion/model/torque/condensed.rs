@@ -33,13 +33,25 @@ impl Graph {
             graph: Self { operations: Vec::new(), counts: [0; 2], places: Vec::new(), ..self.clone() },
             forms: Vec::new(),
             places: Vec::new(),
+            taken: 0,
         };
-        self.operations.iter().for_each(|operation| condenser.take(*operation));
+        let vectors: Vec<_> = self.vectors().collect();
+        for operation in &self.operations {
+            condenser.take(*operation, &vectors);
+        }
         let kept: Vec<_> = kept.iter().map(|&place| condenser.place(place)).collect();
         condenser.graph.with_what_is_needed(&kept)
     }
 
-    fn with_what_is_needed(&self, kept: &[usize]) -> (Self, Vec<usize>) {
+    fn vectors(&self) -> impl Iterator<Item = VectorOperation> + '_ {
+        self.operations.iter().filter_map(|operation| match operation {
+            Operation::Vector(operation) => Some(*operation),
+            Operation::Scalar(_) => None,
+        })
+    }
+
+    /// Returns the operations that these vectors need, and the new places of the vectors.
+    pub(super) fn with_what_is_needed(&self, kept: &[usize]) -> (Self, Vec<usize>) {
         // Index of the operation that produces each number and each vector.
         let mut made_by = [Vec::new(), Vec::new()];
         for (k, operation) in self.operations.iter().enumerate() {
@@ -87,11 +99,24 @@ struct Condenser {
     forms: Vec<Form>,
     /// Place of each vector of the source graph in the new graph, if it is there.
     places: Vec<Option<usize>>,
+    /// Number of vectors of the source graph so far.
+    taken: usize,
 }
 
 impl Condenser {
-    fn take(&mut self, operation: Operation) {
+    fn take(&mut self, operation: Operation, source: &[VectorOperation]) {
         use VectorOperation as Op;
+        if matches!(operation, Operation::Vector(_)) {
+            self.taken += 1;
+            // The vector belongs to a circle that is complete.
+            if self.taken <= self.forms.len() {
+                return;
+            }
+        }
+        if let Operation::Vector(Op::IntegralBy { .. }) = operation {
+            self.circle(source);
+            return;
+        }
         let form = match operation {
             // Numbers keep their places: every number is copied and none is added.
             Operation::Scalar(_) => {
@@ -123,6 +148,41 @@ impl Condenser {
             _ => None,
         });
         self.forms.push(form);
+    }
+
+    /// Copies an integral with the vectors that it needs and that follow it. They keep their
+    /// distances.
+    fn circle(&mut self, source: &[VectorOperation]) {
+        let first = self.forms.len();
+        let (mut last, mut k) = (first, first);
+        while k <= last {
+            if let Some(VectorOperation::IntegralBy { by, .. }) = source.get(k) {
+                last = last.max(*by);
+            }
+            k += 1;
+        }
+        let circle = source.get(first..=last).unwrap_or_default();
+        let is_inside =
+            |operand: Operand| matches!(operand, Operand::Vector(at) if (first..=last).contains(&at));
+        // Other operands first, because these may add vectors.
+        for operation in circle {
+            Operation::Vector(*operation).with_operands(|operand| match operand {
+                inside if is_inside(inside) => inside.place(),
+                outside => self.moved(outside),
+            });
+        }
+        let start = self.graph.counts[1];
+        for operation in circle {
+            let moved = Operation::Vector(*operation).with_operands(|operand| match operand {
+                inside if is_inside(inside) => start + inside.place() - first,
+                outside => self.moved(outside),
+            });
+            self.graph.push(moved);
+        }
+        for place in start..start + circle.len() {
+            self.forms.push(vec![(place, UNIT)]);
+            self.places.push(Some(place));
+        }
     }
 
     fn as_it_is(&mut self, operation: Operation) -> Form {
@@ -221,13 +281,13 @@ fn product(a: &Matrix, b: &Matrix) -> Matrix {
 
 /// Operand of an operation.
 #[derive(Clone, Copy, Debug)]
-enum Operand {
+pub(super) enum Operand {
     Number(usize),
     Vector(usize),
 }
 
 impl Operand {
-    fn place(self) -> usize {
+    pub(super) fn place(self) -> usize {
         match self {
             Self::Number(place) | Self::Vector(place) => place,
         }
@@ -236,7 +296,7 @@ impl Operand {
 
 impl Operation {
     /// Replaces the operands of the operation.
-    fn with_operands(self, mut of: impl FnMut(Operand) -> usize) -> Self {
+    pub(super) fn with_operands(self, mut of: impl FnMut(Operand) -> usize) -> Self {
         match self {
             Self::Scalar(operation) => Self::Scalar(operation.with_operands(of)),
             Self::Vector(operation) => {
@@ -253,6 +313,13 @@ impl Operation {
                     Op::Times(a, b) => Op::Times(of(vector(a)), of(number(b))),
                     Op::Cross(a, b) => Op::Cross(of(vector(a)), of(vector(b))),
                     Op::Product(a, b) => Op::Product(of(vector(a)), of(vector(b))),
+                    Op::Quotient(a, b) => Op::Quotient(of(vector(a)), of(vector(b))),
+                    Op::IntegralBy { start, of: a, by } => {
+                        Op::IntegralBy { start, of: of(vector(a)), by: of(vector(by)) }
+                    }
+                    Op::IntegralOver { start, of: a, over } => {
+                        Op::IntegralOver { start, of: of(vector(a)), over: of(vector(over)) }
+                    }
                     Op::Image(k, a) => Op::Image(k, of(vector(a))),
                     Op::Of(numbers) => Op::Of(numbers.map(|a| of(number(a)))),
                 })

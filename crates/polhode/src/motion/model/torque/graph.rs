@@ -100,6 +100,20 @@ pub(in crate::motion) enum VectorOperation {
     Cross(usize, usize),
     /// Component-wise product.
     Product(usize, usize),
+    /// Component-wise quotient.
+    Quotient(usize, usize),
+    /// Component-wise ∫ of' by; see [`ScalarOperation::IntegralBy`].
+    IntegralBy {
+        start: Unary,
+        of: usize,
+        by: usize,
+    },
+    /// Component-wise ∫ of'/over.
+    IntegralOver {
+        start: Unary,
+        of: usize,
+        over: usize,
+    },
     /// Product with a matrix, by index.
     Image(usize, usize),
     /// Vector from three numbers, along principal axes.

@@ -259,6 +259,11 @@ impl<'a> Unknowns<'a> {
         self.joint.borrow().is_some()
     }
 
+    /// True if u is this vector or not yet set.
+    pub(in crate::motion) fn may_be_joint(&self, v: Direction<Space>) -> bool {
+        self.joint.borrow().as_ref().is_none_or(|joint| *joint == JointVector::Fixed(v))
+    }
+
     /// True if u is on a circular orbit.
     pub(in crate::motion) fn is_on_orbit(&self) -> bool {
         matches!(*self.joint.borrow(), Some(JointVector::Circular(_)))

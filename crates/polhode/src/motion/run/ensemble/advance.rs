@@ -21,6 +21,9 @@ const MANY: usize = 1 << 16;
 /// Least number of bodies in a batch. Fewer would leave lanes idle.
 const FEWEST: usize = 8;
 
+/// Up to this number, bodies of a kind are computed faster one by one than in lanes.
+const FEW_BODIES: usize = 2;
+
 /// Computes each member of a portion by a method. Members for batches of Taylor's method are
 /// computed last.
 pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, method: Method) {
@@ -61,6 +64,17 @@ pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, 
         }
     }
     for (_, bodies) in kinds {
+        if bodies.len() <= FEW_BODIES {
+            for (k, _) in bodies {
+                let member = &members[k];
+                let by = (Method::Taylor, tolerance);
+                portion.put_motion(k, MemberMotion::alone(member, &member.torques, times, by));
+                if !portion.done(1) {
+                    return;
+                }
+            }
+            continue;
+        }
         for bodies in bodies.chunks((MANY / times.len()).max(FEWEST)) {
             expand(portion, bodies, times, tolerance, &mut states);
             if !portion.done(bodies.len()) {

@@ -6,6 +6,7 @@
 //!
 //! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3.
 
+use super::row::{Row, Series};
 use super::scalar::{Scalars, WHOLE, convolution, power};
 use crate::math::number::Number;
 
@@ -62,6 +63,69 @@ fn where_zero<N: Number>(mut value: N, number: N, is_zero: impl Fn(usize) -> boo
         }
     }
     value
+}
+
+/// Returns coefficient n of y = ∫ u' w, component by component.
+#[inline(always)]
+pub(super) fn rows_integral_by<N: Number>(u: &Series<N>, w: &Series<N>, n: usize) -> Row<N> {
+    rows_convolution(u, w, [n, n], |k| WHOLE[k]).over(n)
+}
+
+/// Returns coefficient n of y = ∫ u'/d, component by component.
+#[inline(always)]
+pub(super) fn rows_integral_over<N: Number>(u: &Series<N>, d: &Series<N>, y: &Series<N>, n: usize) -> Row<N> {
+    let known = rows_convolution(d, y, [n, n - 1], |k| n as f64 - WHOLE[k]).over(n);
+    ratio(u.at(n) - known, d.at(0))
+}
+
+/// Returns coefficient n of c = a/b, component by component.
+#[inline(always)]
+pub(super) fn rows_quotient<N: Number>(a: &Series<N>, b: &Series<N>, c: &Series<N>, n: usize) -> Row<N> {
+    ratio(a.at(n) - rows_convolution(b, c, [n, n], |_| 1.0), b.at(0))
+}
+
+/// Returns a/b for the three components.
+#[inline(always)]
+fn ratio<N: Number>(a: Row<N>, b: Row<N>) -> Row<N> {
+    let ([x, y, z, _], [p, q, r, _]) = (a.0, b.0);
+    Row([x / p, y / q, z / r, x.like(0.0)])
+}
+
+/// Returns Σ f(k) aₖ bₙ₋ₖ, k = 1 … `last`, component by component, in the order of [`convolution`].
+/// If `last` is n − 1, f(n) must be zero.
+#[inline(always)]
+fn rows_convolution<N: Number>(
+    a: &Series<N>,
+    b: &Series<N>,
+    [n, last]: [usize; 2],
+    weight: impl Fn(usize) -> f64,
+) -> Row<N> {
+    let zero = a.at(0).0[0].like(0.0);
+    let number = |k: usize| Row::splat(zero.like(weight(k)));
+    let mut sums = [Row::splat(zero); 4];
+    let mut k = 1;
+    if N::LANES > 1 {
+        while k + 3 <= last {
+            for i in 0..4 {
+                sums[i] = (number(k + i) * a.at(k + i)).mul_add(b.at(n - k - i), sums[i]);
+            }
+            k += 4;
+        }
+        for i in 0..3 {
+            if k + i <= last {
+                sums[i] = (number(k + i) * a.at(k + i)).mul_add(b.at(n - k - i), sums[i]);
+            }
+        }
+    } else {
+        for (a, b) in a.forward().zip(b.backward(n)) {
+            for i in 0..4 {
+                sums[i] = (number(k + i) * a[i]).mul_add(b[3 - i], sums[i]);
+            }
+            k += 4;
+        }
+    }
+    let [first, second, third, fourth] = sums;
+    (first + second) + (third + fourth)
 }
 
 /// Returns Σ_{1≤k≤n} k uₖ wₙ₋ₖ.

@@ -62,13 +62,13 @@ impl<S: Machine> Recurrence for SeveralBodies<S> {
     ) -> [Pair<S::Many>; 2] {
         let none = self.none();
         if LAYOUT == WITH_ORBIT {
-            let sum = Parts::of::<LAYOUT>(start_on_orbit(&motion[0], terms));
+            let sum = Parts::of::<LAYOUT>(start_on_orbit(&motion[0], terms, more));
             return self
                 .plus_newest::<LAYOUT>(jacobian, sum, &Parts { omega: low, ..none }, low)
                 .pairs::<LAYOUT>();
         }
         let mut next = jacobian.plus_start::<LAYOUT>(none, jacobian.turning);
-        next.omega = next.omega + if LAYOUT == GENERAL { more } else { terms.constant };
+        next.omega = next.omega + (terms.constant + more);
         if LAYOUT == WITH_FIXED_VECTOR {
             for (diagonal, factors) in terms.of_joint.iter().enumerate() {
                 next.omega = factors.mul_add(diagonal_of(jacobian.joint[0], diagonal), next.omega);
@@ -84,7 +84,7 @@ impl<S: Machine> Recurrence for SeveralBodies<S> {
         motion: &mut Motion<S::Many>,
         n: usize,
         [_, newest]: [[Pair<S::Many>; 2]; 2],
-        more: Row<S::Many>,
+        more: Option<Row<S::Many>>,
     ) -> [Pair<S::Many>; 2] {
         let (terms, next) = (&jacobian.terms, n + 1);
         let sums = self.sums_before::<LAYOUT>(motion, n);
@@ -94,7 +94,7 @@ impl<S: Machine> Recurrence for SeveralBodies<S> {
             sum.omega = terms.products.mul_add(sums.square.cycled(), sum.omega);
             sum.joint[0] = (sums.crossing[1] - sums.crossing[0]).cycled();
         }
-        if LAYOUT == GENERAL {
+        if let Some(more) = more {
             sum.omega = sum.omega + more;
         }
         let new = Parts::of::<LAYOUT>(newest);

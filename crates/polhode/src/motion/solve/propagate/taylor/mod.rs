@@ -39,7 +39,7 @@ use recurrence::{
 };
 use row::{Row, Series, TERMS, Vectors};
 use sums::{OneBody, SeriesSums};
-use torque::{Decomposition, Known, Quadratic, StepStart, Tape, row};
+use torque::{Decomposition, Forcing, Known, Quadratic, StepStart, Tape, row};
 
 use super::piece::Piece;
 use crate::math::machine::{Machine, Work, in_vectors};
@@ -63,6 +63,8 @@ struct Expansion<N = f64> {
     /// Torques that are linear or quadratic in ω and in a vector u; u is expanded together with the
     /// rotation.
     quadratic: Option<Box<Quadratic<N>>>,
+    /// Torques that depend on time alone.
+    forcing: Option<Box<Forcing<N>>>,
     /// All other torques, as a graph.
     tape: Option<Box<Tape<N>>>,
     /// Wheels and internal friction, if there are any.
@@ -142,6 +144,7 @@ impl<N: Number> Expansion<N> {
             motion: all_zero(zero),
             low: none,
             quadratic: None,
+            forcing: None,
             tape: None,
             inside: None,
             beside: None,
@@ -156,9 +159,10 @@ impl<N: Number> Expansion<N> {
     /// Allocates the series for the kinds of torques that act from now on.
     fn act(&mut self, piece: &Piece<'_>, torques: &Decomposition) {
         let zero = self.zero();
-        let Decomposition { quadratic, joint, graph } = torques;
+        let Decomposition { quadratic, joint, forcing, graph } = torques;
         self.quadratic =
             quadratic.as_ref().map(|torque| Box::new(Quadratic::of(zero, torque, joint.as_deref())));
+        self.forcing = forcing.as_ref().map(|graph| Box::new(Forcing::of(zero, graph)));
         self.tape = graph.as_ref().map(|graph| Box::new(Tape::of(zero, graph)));
         let is_plain = is_plain(piece);
         self.layout = match (&self.tape, joint.as_deref()) {
@@ -203,10 +207,13 @@ impl<N: Number> Expansion<N> {
             let ratios = Row([over(i2 - i3, i1), over(i3 - i1, i2), over(i1 - i2, i3), 0.0]);
             self.terms.ratios.put(lane, ratios);
         }
-        let Decomposition { quadratic, joint, graph } = torques;
+        let Decomposition { quadratic, joint, forcing, graph } = torques;
         if let (Some(series), Some(torque)) = (&mut self.quadratic, quadratic) {
             let terms = (self.layout != GENERAL).then_some(&mut self.terms);
             series.set(lane, torque, joint.as_deref(), inverses, terms);
+        }
+        if let (Some(series), Some(graph)) = (&mut self.forcing, forcing) {
+            series.set(lane, graph, piece.rotor);
         }
         if let (Some(tape), Some(graph)) = (&mut self.tape, graph) {
             tape.set(lane, graph, piece.rotor);
@@ -230,12 +237,15 @@ impl<N: Number> Expansion<N> {
 
     /// Returns true if no torque contributes work or impulse.
     fn is_free(&self) -> bool {
-        self.quadratic.is_none() && self.tape.is_none() && self.inside.is_none()
+        self.quadratic.is_none() && self.forcing.is_none() && self.tape.is_none() && self.inside.is_none()
     }
 
     /// Starts a step.
     #[inline(always)]
     fn start(&mut self, at: &StepStart<N>) {
+        if let Some(forcing) = &mut self.forcing {
+            forcing.start(at);
+        }
         if let Some(tape) = &mut self.tape {
             tape.start(at);
         }
@@ -269,6 +279,13 @@ impl<N: Number> Expansion<N> {
     /// Expands the motion about the start of the step.
     #[inline(always)]
     fn expand<M: Recurrence<N = N>>(&mut self, s: M) {
+        if let Some(forcing) = &mut self.forcing {
+            let (motion, order) = (&*self.motion, self.order);
+            s.apart(
+                #[inline(always)]
+                |s| forcing.expand(s, motion, order),
+            );
+        }
         match self.layout {
             ATTITUDE => self.expand_by_itself::<M, ATTITUDE>(s),
             WITH_FIXED_VECTOR => self.expand_by_itself::<M, WITH_FIXED_VECTOR>(s),
@@ -288,10 +305,12 @@ impl<N: Number> Expansion<N> {
     fn expand_by_itself<M: Recurrence<N = N>, const LAYOUT: Layout>(&mut self, s: M) {
         let none = Row::splat(self.zero());
         let jacobian = s.jacobian::<LAYOUT>(&self.motion, &self.terms);
-        let mut newest = s.first::<LAYOUT>(&jacobian, &self.motion, &self.terms, [self.low, none]);
+        let low_and_more = [self.low, forced(&self.forcing, self.inverses, 0).unwrap_or(none)];
+        let mut newest = s.first::<LAYOUT>(&jacobian, &self.motion, &self.terms, low_and_more);
         let mut previous = newest;
         for n in 1..self.order {
-            let next = s.next::<LAYOUT>(&jacobian, &mut self.motion, n, [previous, newest], none);
+            let more = forced(&self.forcing, self.inverses, n);
+            let next = s.next::<LAYOUT>(&jacobian, &mut self.motion, n, [previous, newest], more);
             (previous, newest) = (newest, next);
         }
         let [x, y] = newest;
@@ -315,7 +334,7 @@ impl<N: Number> Expansion<N> {
             self.motion[n].set::<GENERAL>([s.unpack(x), s.unpack(y)]);
             if n < self.order {
                 let more = self.other_acceleration(s, n);
-                let next = s.next::<GENERAL>(&jacobian, &mut self.motion, n, [previous, newest], more);
+                let next = s.next::<GENERAL>(&jacobian, &mut self.motion, n, [previous, newest], Some(more));
                 (previous, newest) = (newest, next);
             }
         }
@@ -343,12 +362,15 @@ impl<N: Number> Expansion<N> {
         };
         self.motion[n].turning = Pair::new(turning.rows.at(n), none);
         let known = Known { s, omega: series, turning, motion: &self.motion };
-        let torque = self.tape.as_mut().map_or(none, |tape| {
+        let mut torque = self.tape.as_mut().map_or(none, |tape| {
             known.apart(
                 #[inline(always)]
                 |known| tape.coefficient(n, known),
             )
         });
+        if let Some(forcing) = &self.forcing {
+            torque = torque + forcing.at(n);
+        }
         place.set(n, torque + linear);
         rate + self.inverses * torque
     }
@@ -383,8 +405,10 @@ impl<N: Number> Expansion<N> {
         };
         series.set(n, omega);
         joint.set(n, if self.layout == WITH_ORBIT { y.second() } else { x.second() });
-        if let Some(quadratic) = &self.quadratic {
-            torque.set(n, quadratic.torque(s, n, joint, omega));
+        let known = self.quadratic.as_ref().map(|quadratic| quadratic.torque(s, n, joint, omega));
+        let forced = self.forcing.as_ref().map(|forcing| forcing.at(n));
+        if let Some(sum) = known.into_iter().chain(forced).reduce(|a, b| a + b) {
+            torque.set(n, sum);
         }
     }
 
@@ -434,6 +458,15 @@ impl<N: Number> Expansion<N> {
             sum.work = (x + y) + (z + w);
         }
         sum
+    }
+}
+
+/// Returns coefficient n of f(t)/I, if there is such a torque.
+#[inline(always)]
+fn forced<N: Number>(forcing: &Option<Box<Forcing<N>>>, inverses: Row<N>, n: usize) -> Option<Row<N>> {
+    match forcing {
+        Some(forcing) => Some(inverses * forcing.at(n)),
+        None => None,
     }
 }
 

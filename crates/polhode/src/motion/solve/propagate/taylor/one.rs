@@ -164,7 +164,7 @@ impl<S: Machine> Recurrence for OneBody<S> {
     ) -> [S::Eight; 2] {
         let s = self.0;
         if LAYOUT == WITH_ORBIT {
-            let [x, y] = start_on_orbit(&motion[0], terms);
+            let [x, y] = start_on_orbit(&motion[0], terms, more);
             let new = [s.eight(0.0), self.pair_of(low, Row::ZERO)];
             return self.plus_newest_on_orbit(jacobian, [self.pack(&x), self.pack(&y)], new);
         }
@@ -172,7 +172,7 @@ impl<S: Machine> Recurrence for OneBody<S> {
         let low_omega = [s.eight(l1), s.eight(l2), s.eight(l3)];
         let [o1, o2, o3] = motion[0].turning::<LAYOUT>();
         let omega = [s.eight(o1), s.eight(o2), s.eight(o3)];
-        let (none, constant) = (Row::ZERO, if LAYOUT == GENERAL { more } else { terms.constant });
+        let (none, constant) = (Row::ZERO, terms.constant + more);
         let x = self.sum(&jacobian.of_start[0], omega);
         if LAYOUT == ATTITUDE {
             let x = x + self.pair_of(none, constant.pure());
@@ -200,7 +200,7 @@ impl<S: Machine> Recurrence for OneBody<S> {
         motion: &mut Motion,
         n: usize,
         [previous, newest]: [[S::Eight; 2]; 2],
-        more: Row,
+        more: Option<Row>,
     ) -> [S::Eight; 2] {
         let (s, next) = (self.0, n + 1);
         let sums = self.sums_before::<LAYOUT>(motion, n, previous);
@@ -212,7 +212,7 @@ impl<S: Machine> Recurrence for OneBody<S> {
         let ([first, second, third], mut y) = (jacobian.maps[0], s.eight(0.0));
         let x = first * self.turn::<LAYOUT>(sums.x[0], 0);
         let x = second.mul_add(self.turn::<LAYOUT>(sums.x[1], 1), x);
-        let x = x + third * self.turn::<LAYOUT>(sums.x[2], 2);
+        let mut x = x + third * self.turn::<LAYOUT>(sums.x[2], 2);
         if LAYOUT == WITH_ORBIT {
             // (ω1 ω2 … | u1 u2 …) and (ω1 u2 … | u1 ω2 …), cycled once more.
             let [a, b, c, d, e, f, g, h] = s.eight_numbers(sums.square);
@@ -225,8 +225,12 @@ impl<S: Machine> Recurrence for OneBody<S> {
             let others = Row(s.numbers(sums.others));
             y = jacobian.maps[1][0] * self.with_cycled(others.cycled());
         }
-        if LAYOUT == GENERAL {
-            y = y + self.with_cycled(more);
+        if let Some(more) = more {
+            match LAYOUT {
+                ATTITUDE => x = x + self.pair_of(Row::ZERO, more.pure()),
+                WITH_ORBIT => y = y + self.pair_of(more, Row::ZERO),
+                _ => y = y + self.with_cycled(more),
+            }
         }
         let omega = if LAYOUT == WITH_FIXED_VECTOR {
             [self.permuted(new_y, [0; 8]), self.permuted(new_y, [1; 8]), self.permuted(new_y, [2; 8])]

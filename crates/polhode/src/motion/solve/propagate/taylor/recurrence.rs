@@ -117,11 +117,12 @@ impl<N: Number> Coefficient<N> {
 }
 
 /// Returns coefficients 1 for the layout with an orbit, without the contribution of the low word of
-/// ω.
+/// ω. `more`: part of ω̇ that is computed elsewhere.
 #[inline(always)]
 pub(super) fn start_on_orbit<N: Number>(
     start: &Coefficient<N>,
     terms: &EquationConstants<N>,
+    more: Row<N>,
 ) -> [Pair<N>; 2] {
     let (v, omega, u) = (start.x.second(), start.y.first(), start.y.second());
     let [o1, o2, o3, zero] = omega.0;
@@ -130,7 +131,7 @@ pub(super) fn start_on_orbit<N: Number>(
         let ahead = v.cycled();
         ahead.mul_add(omega.cycled().cycled(), none - ahead.cycled() * omega.cycled())
     };
-    let mut rate = terms.constant;
+    let mut rate = terms.constant + more;
     for (column, o) in terms.of_omega.into_iter().zip([o1, o2, o3]) {
         rate = column.mul_add(Row::splat(o), rate);
     }
@@ -184,14 +185,15 @@ pub(super) trait Recurrence: SeriesSums {
     ) -> [Self::Packed; 2];
 
     /// Returns coefficients n + 1, n ≥ 1. `newest` holds the packed coefficients n − 1 and n. The
-    /// function stores the latter in `motion`, except for those of Ω.
+    /// function stores the latter in `motion`, except for those of Ω. `more`: coefficient n of a
+    /// part of ω̇ that is computed elsewhere, if there is one.
     fn next<const LAYOUT: Layout>(
         self,
         jacobian: &Self::StepJacobian,
         motion: &mut Motion<Self::N>,
         n: usize,
         newest: [[Self::Packed; 2]; 2],
-        more: Row<Self::N>,
+        more: Option<Row<Self::N>>,
     ) -> [Self::Packed; 2];
 }
 

@@ -50,8 +50,8 @@ impl<N> DerefMut for Scalars<N> {
 ///
 /// A single body uses a loop by fours with few, predictable exits; beyond n it reads the zeros
 /// before b₀. Several bodies use a loop that ends at `last`, because other lanes may have stored
-/// infinities beyond. Both use the same order of terms, and adding zeros does not change a sum that
-/// begins with +0.
+/// infinities beyond. Both add every fourth term to the same sum, so that no addition waits for the
+/// one before it. Adding zeros does not change a sum that begins with +0.
 #[inline(always)]
 pub(super) fn convolution<N: Number>(
     a: &Scalars<N>,
@@ -60,40 +60,60 @@ pub(super) fn convolution<N: Number>(
     last: usize,
     term: impl Fn(usize, N, N) -> N,
 ) -> N {
-    let mut sum = a[0].like(0.0);
+    let mut sums = [a[0].like(0.0); 4];
     if N::LANES > 1 {
-        for (k, (&a, &b)) in a[1..=last].iter().zip(b[n - last..n].iter().rev()).enumerate() {
-            sum = sum + term(k + 1, a, b);
+        let ((fours, rest), (first, back)) = (a[1..=last].as_chunks::<4>(), b[n - last..n].as_rchunks::<4>());
+        let mut k = 1;
+        for (a, b) in fours.iter().zip(back.iter().rev()) {
+            for i in 0..4 {
+                sums[i] = sums[i] + term(k + i, a[i], b[3 - i]);
+            }
+            k += 4;
         }
-        return sum;
-    }
-    let (ahead, back) = (a[1..].as_chunks::<4>().0, b.0[..MARGIN + n].as_rchunks::<4>().1);
-    let mut k = 1;
-    for (a, b) in ahead.iter().zip(back.iter().rev()) {
-        for i in 0..4 {
-            sum = sum + term(k + i, a[i], b[3 - i]);
+        for i in 0..3 {
+            if i < rest.len() {
+                sums[i] = sums[i] + term(k + i, rest[i], first[rest.len() - 1 - i]);
+            }
         }
-        k += 4;
+    } else {
+        let (ahead, back) = (a[1..].as_chunks::<4>().0, b.0[..MARGIN + n].as_rchunks::<4>().1);
+        let mut k = 1;
+        for (a, b) in ahead.iter().zip(back.iter().rev()) {
+            for i in 0..4 {
+                sums[i] = sums[i] + term(k + i, a[i], b[3 - i]);
+            }
+            k += 4;
+        }
     }
-    sum
+    let [first, second, third, fourth] = sums;
+    (first + second) + (third + fourth)
 }
 
 /// Returns coefficient n of a times a vector, with the same loops.
 #[inline(always)]
 pub(super) fn times_vector<N: Number>(a: &Scalars<N>, v: &Series<N>, n: usize) -> Row<N> {
-    let mut sum = Row::splat(a[0].like(0.0));
+    let mut sums = [Row::splat(a[0].like(0.0)); 4];
     if N::LANES > 1 {
-        for (&a, &v) in a[1..=n].iter().zip(v[..n].iter().rev()) {
-            sum = Row::splat(a).mul_add(v, sum);
+        let ((fours, rest), (first, back)) = (a[1..=n].as_chunks::<4>(), v[..n].as_rchunks::<4>());
+        for (a, v) in fours.iter().zip(back.iter().rev()) {
+            for i in 0..4 {
+                sums[i] = Row::splat(a[i]).mul_add(v[3 - i], sums[i]);
+            }
+        }
+        for i in 0..3 {
+            if i < rest.len() {
+                sums[i] = Row::splat(rest[i]).mul_add(first[rest.len() - 1 - i], sums[i]);
+            }
         }
     } else {
         for (a, v) in a[1..].as_chunks::<4>().0.iter().zip(v.backward(n)) {
             for i in 0..4 {
-                sum = Row::splat(a[i]).mul_add(v[3 - i], sum);
+                sums[i] = Row::splat(a[i]).mul_add(v[3 - i], sums[i]);
             }
         }
     }
-    Row::splat(a[0]).mul_add(v.at(n), sum)
+    let [first, second, third, fourth] = sums;
+    Row::splat(a[0]).mul_add(v.at(n), (first + second) + (third + fourth))
 }
 
 /// Returns (a b)ₙ = Σ aₖ bₙ₋ₖ.

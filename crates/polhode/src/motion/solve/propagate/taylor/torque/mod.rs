@@ -1,8 +1,10 @@
 //! Taylor coefficients of torques, principal axes, from the preceding coefficients of the motion.
 //!
-//! Linear and quadratic torques become part of the recurrence of the motion (`quadratic.rs`). The
-//! operations of all other laws are evaluated coefficient by coefficient (`tape.rs`).
+//! Linear and quadratic torques become part of the recurrence of the motion (`quadratic.rs`), and
+//! functions of time are expanded before it (`forcing.rs`). The operations of all other laws are
+//! evaluated coefficient by coefficient (`tape.rs`).
 
+mod forcing;
 mod norm;
 mod orbit;
 mod quadratic;
@@ -16,6 +18,7 @@ use crate::math::number::Number;
 use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
 
+pub(super) use forcing::Forcing;
 pub(super) use quadratic::{Decomposition, Quadratic, TorqueKind};
 pub(super) use tape::Tape;
 

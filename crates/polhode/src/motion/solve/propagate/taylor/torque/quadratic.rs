@@ -11,6 +11,7 @@ use super::super::sums::SeriesSums;
 use super::tape::times;
 use super::{StepStart, row};
 use crate::math::number::Number;
+use crate::motion::model::law::LawInput as _;
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::torque::TorqueModel;
@@ -25,6 +26,8 @@ pub(in super::super) struct Decomposition {
     pub(in super::super) quadratic: Option<QuadraticTorque>,
     /// Vector u, if they contain one.
     pub(in super::super) joint: Option<Box<JointVector>>,
+    /// Graph of the torques that depend on time alone.
+    pub(in super::super) forcing: Option<Box<Graph>>,
     /// Graph of all other torques.
     pub(in super::super) graph: Option<Box<Graph>>,
 }
@@ -37,6 +40,7 @@ pub(in super::super) struct TorqueKind {
     quadratic: Option<bool>,
     /// Vector u, if there is one: true if it is on a circular orbit.
     joint: Option<bool>,
+    forcing: Vec<Operation>,
     operations: Vec<Operation>,
     orbits_are_circular: Vec<bool>,
     turns_are_canonical: Vec<bool>,
@@ -51,6 +55,7 @@ impl Decomposition {
         TorqueKind {
             quadratic: self.quadratic.as_ref().map(|torque| torque.has_omega),
             joint: self.joint.as_deref().map(|joint| matches!(joint, JointVector::Circular(_))),
+            forcing: self.forcing.as_deref().map(all).unwrap_or_default(),
             operations: graph.map(all).unwrap_or_default(),
             orbits_are_circular: graph.map(circular).unwrap_or_default(),
             turns_are_canonical: graph.map(canonical).unwrap_or_default(),
@@ -94,8 +99,22 @@ impl Decomposition {
                 }
             }
         }
-        let graph = (!others.is_empty()).then(|| Box::new(Graph::of(others, rotor)));
-        Self { quadratic, joint: unknowns.into_joint().map(Box::new), graph }
+        let mut decomposition = Self { quadratic, joint: None, forcing: None, graph: None };
+        if !others.is_empty() {
+            let separated = Graph::of(others, rotor).separated(|v| unknowns.may_be_joint(v));
+            if let Some(u) = separated.joint {
+                unknowns.in_space(u);
+            }
+            if let Some(linear) = separated.linear {
+                let linear = cleaned(linear, rotor);
+                decomposition.quadratic =
+                    Some(decomposition.quadratic.map_or(linear, |sum| sum.plus(&linear)));
+            }
+            decomposition.forcing = separated.forcing.map(Box::new);
+            decomposition.graph = separated.rest.map(|graph| Box::new(graph.packed()));
+        }
+        decomposition.joint = unknowns.into_joint().map(Box::new);
+        decomposition
     }
 }
 

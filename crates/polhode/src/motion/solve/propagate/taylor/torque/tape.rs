@@ -1,7 +1,11 @@
 //! Series of torques given as a graph. Coefficient n of each value follows from coefficients up to
 //! n of its operands.
 
-use super::super::function::{angle, constant_power, hypotenuse, integral_by, integral_over};
+use super::super::function::{
+    angle, constant_power, hypotenuse, integral_by, integral_over, rows_integral_by, rows_integral_over,
+    rows_quotient,
+};
+use super::super::recurrence::over;
 use super::super::row::{Row, Series};
 use super::super::scalar::{Composition, Scalars, power_difference, product, quotient, times_vector};
 use super::super::sums::SeriesSums;
@@ -9,6 +13,7 @@ use super::norm::NormSeries;
 use super::orbit::OrbitSeries;
 use super::{Known, StepStart, cross, row};
 use crate::math::algebra::Scalar as _;
+use crate::math::formula::Unary;
 use crate::math::frame::{Principal, Space};
 use crate::math::number::Number;
 use crate::math::rotation::{Rotation, wrap};
@@ -51,14 +56,20 @@ struct TapeStep {
     constant: Constant,
 }
 
-/// Operands that do not change during a step.
+/// Operands that do not change during a step, or only in proportion to time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Constant {
     None,
     First,
     Second,
     All,
+    /// The operand of an integral is linear in time.
+    Linear,
 }
+
+/// Degree of a value as a polynomial in time: 0, 1, or [`MANY`] for all others.
+type Degree = u8;
+const MANY: Degree = 2;
 
 /// Rotation from a rest attitude: p = p₀ ∘ (rotation since the start of the step).
 #[derive(Clone, Debug)]
@@ -74,8 +85,8 @@ impl<N: Number> Tape<N> {
     pub(in super::super) fn of(zero: N, graph: &Graph) -> Self {
         let (none, [numbers, vectors]) = (Row::splat(zero), graph.counts);
         let (mut norms, mut compositions) = (Vec::new(), Vec::new());
-        // true for each number and vector so far that does not change during a step
-        let mut constants = [Vec::new(), Vec::new()];
+        // degree of each number and vector so far
+        let mut degrees = [Vec::new(), Vec::new()];
         let steps = graph.operations.iter().map(|&operation| {
             let beside = match operation {
                 Operation::Scalar(ScalarOperation::Norm(_)) => {
@@ -90,12 +101,12 @@ impl<N: Number> Tape<N> {
                 }
                 _ => 0,
             };
-            let constant = Constant::of(operation, &constants);
+            let (constant, degree) = classify(operation, &degrees);
             let kind = match operation {
-                Operation::Scalar(_) => &mut constants[0],
-                Operation::Vector(_) => &mut constants[1],
+                Operation::Scalar(_) => &mut degrees[0],
+                Operation::Vector(_) => &mut degrees[1],
             };
-            kind.push(constant == Constant::All);
+            kind.push(degree);
             TapeStep { operation, place: kind.len() - 1, beside, constant }
         });
         let steps: Vec<_> = steps.collect();
@@ -197,19 +208,149 @@ impl<N: Number> Tape<N> {
         let which = usize::from(n > 0);
         let steps = core::mem::take(&mut self.steps[which]);
         for step in &steps {
-            match &step.operation {
-                Operation::Scalar(operation) => {
-                    let value = self.number(operation, step, n, known);
-                    self.numbers[step.place][n] = value;
-                }
-                Operation::Vector(operation) => {
-                    let value = self.vector(operation, step, n, known);
-                    self.vectors[step.place].set(n, value.vector());
+            self.evaluate(step, n, known);
+        }
+        self.steps[which] = steps;
+        self.torque_at(n)
+    }
+
+    /// Computes all coefficients up to `order` of torques that depend on time alone.
+    ///
+    /// Each operation is evaluated completely before the next, except in the circles of integrals,
+    /// such as sine and cosine.
+    #[inline(always)]
+    pub(in super::super) fn expand<M: SeriesSums<N = N>>(&mut self, order: usize, known: &Known<'_, M>) {
+        let steps = core::mem::take(&mut self.steps[0]);
+        let mut from = 0;
+        while from < steps.len() {
+            let circle = &steps[from..from + circle_length(&steps[from..])];
+            from += circle.len();
+            let is_done = match circle {
+                [step] => self.expand_linear(step, order),
+                [sine, cosine, _] => self.expand_wave([sine, cosine], order),
+                _ => false,
+            };
+            if is_done {
+                continue;
+            }
+            // Constants have only coefficient 0.
+            let last = if circle[0].constant == Constant::All { 0 } else { order };
+            for n in 0..=last {
+                for step in circle {
+                    self.evaluate(step, n, known);
                 }
             }
         }
-        self.steps[which] = steps;
+        self.steps[0] = steps;
+    }
+
+    /// Computes all coefficients of the sine and cosine of a linear function a + b t: (n + 1) sₙ₊₁ =
+    /// b cₙ, (n + 1) cₙ₊₁ = −b sₙ. Returns false for other operations.
+    #[inline(always)]
+    fn expand_wave(&mut self, [sine, cosine]: [&TapeStep; 2], order: usize) -> bool {
+        use ScalarOperation as Op;
+        let (
+            Operation::Scalar(Op::IntegralBy { start: Unary::Sin, of, .. }),
+            Operation::Scalar(second @ Op::IntegralBy { start: Unary::Cos, .. }),
+            Constant::Linear,
+        ) = (sine.operation, cosine.operation, sine.constant)
+        else {
+            return false;
+        };
+        let Operation::Scalar(first) = sine.operation else { return false };
+        let (mut s, mut c) = (self.function(first), self.function(second));
+        let zero = self.time.like(0.0);
+        let slope = self.numbers[of][1];
+        let Some([sines, cosines, negatives]) = self.numbers.get_mut(sine.place..=sine.place + 2) else {
+            return false;
+        };
+        for n in 0..=order {
+            (sines[n], cosines[n], negatives[n]) = (s, c, zero - s);
+            (s, c) = (over(slope * c, n + 1), over(zero - slope * s, n + 1));
+        }
+        true
+    }
+
+    /// Computes all coefficients of a linear operation. Returns false for others. The values are
+    /// those of [`Tape::number`] and [`Tape::vector`].
+    #[inline(always)]
+    fn expand_linear(&mut self, &TapeStep { operation, place, .. }: &TapeStep, order: usize) -> bool {
+        use ScalarOperation as S;
+        use VectorOperation as V;
+        let (numbers, vectors) = (&mut self.numbers, &mut self.vectors);
+        match operation {
+            Operation::Scalar(operation) => {
+                let (known, [series, ..]) = numbers.split_at_mut(place) else { return false };
+                match operation {
+                    S::Negate(a) => {
+                        let zero = self.time.like(0.0);
+                        for n in 0..=order {
+                            series[n] = zero - known[a][n];
+                        }
+                    }
+                    S::Scale(a, k) => {
+                        for n in 0..=order {
+                            series[n] = self.constants[k] * known[a][n];
+                        }
+                    }
+                    S::Add(a, b) => {
+                        for n in 0..=order {
+                            series[n] = known[a][n] + known[b][n];
+                        }
+                    }
+                    S::Subtract(a, b) => {
+                        for n in 0..=order {
+                            series[n] = known[a][n] - known[b][n];
+                        }
+                    }
+                    _ => return false,
+                }
+            }
+            Operation::Vector(operation) => {
+                let (known, [series, ..]) = vectors.split_at_mut(place) else { return false };
+                match operation {
+                    V::Of([x, y, z]) => {
+                        let ([x, y, z], zero) = ([x, y, z].map(|place| &numbers[place]), self.time.like(0.0));
+                        for n in 0..=order {
+                            series.set(n, Row([x[n], y[n], z[n], zero]));
+                        }
+                    }
+                    V::Image(k, a) => {
+                        let columns = &self.matrices[k];
+                        for n in 0..=order {
+                            series.set(n, times(columns, known[a].at(n)).vector());
+                        }
+                    }
+                    V::Add(a, b) => {
+                        for n in 0..=order {
+                            series.set(n, (known[a].at(n) + known[b].at(n)).vector());
+                        }
+                    }
+                    _ => return false,
+                }
+            }
+        }
+        true
+    }
+
+    /// Returns coefficient n of N, once it is known.
+    #[inline(always)]
+    pub(in super::super) fn torque_at(&self, n: usize) -> Row<N> {
         self.without_rounding(self.vectors[self.torque].at(n))
+    }
+
+    #[inline(always)]
+    fn evaluate<M: SeriesSums<N = N>>(&mut self, step: &TapeStep, n: usize, known: &Known<'_, M>) {
+        match &step.operation {
+            Operation::Scalar(operation) => {
+                let value = self.number(operation, step, n, known);
+                self.numbers[step.place][n] = value;
+            }
+            Operation::Vector(operation) => {
+                let value = self.vector(operation, step, n, known);
+                self.vectors[step.place].set(n, value.vector());
+            }
+        }
     }
 
     /// Computes the additional series that coefficient n + 1 needs.
@@ -308,6 +449,10 @@ impl<N: Number> Tape<N> {
                 power_difference(of, f64::from_bits(p), &rows[own], n)
             }
             Op::Hypot(a, b) => hypotenuse(&rows[a], &rows[b], &rows[own], n),
+            // The other terms of the sum are zero.
+            Op::IntegralBy { of, by, .. } if constants == Constant::Linear => {
+                rows[of][1] * rows[by][n - 1] / zero.like(n as f64)
+            }
             Op::IntegralBy { of, by, .. } => integral_by(&rows[of], &rows[by], n),
             Op::IntegralOver { of, over, .. } => integral_over(&rows[of], &rows[over], &rows[own], n),
             Op::Angle(a, b, square) => angle(&rows[a], &rows[b], &rows[square], &rows[own], n),
@@ -383,6 +528,13 @@ impl<N: Number> Tape<N> {
                 Constant::Second => rows[a].at(n) * rows[b].at(0),
                 _ => known.s.product(&rows[a], &rows[b], n),
             },
+            Op::Quotient(a, b) => rows_quotient(&rows[a], &rows[b], &rows[own], n),
+            Op::IntegralBy { start, of, .. } | Op::IntegralOver { start, of, .. } if n == 0 => {
+                let [x, y, z, rest] = rows[of].at(0).0;
+                Row([x.map(|x| start.of(x)), y.map(|y| start.of(y)), z.map(|z| start.of(z)), rest])
+            }
+            Op::IntegralBy { of, by, .. } => rows_integral_by(&rows[of], &rows[by], n),
+            Op::IntegralOver { of, over, .. } => rows_integral_over(&rows[of], &rows[over], &rows[own], n),
             Op::Image(k, a) => times(&self.matrices[k], rows[a].at(n)),
             Op::Of([x, y, z]) => {
                 let [x, y, z] = [x, y, z].map(|place| self.numbers[place][n]);
@@ -430,42 +582,61 @@ fn start_composition<N: Number>(composition: &mut Composition<N>, lane: usize, w
     composition.start(lane, [w.half_angle_over_sine(), w, sine], is_slope);
 }
 
-impl Constant {
-    /// Classifies an operation, from flags of the numbers and vectors that are constant.
-    fn of(operation: Operation, [numbers, vectors]: &[Vec<bool>; 2]) -> Self {
-        use ScalarOperation as S;
-        use VectorOperation as V;
-        let number = |place: usize| numbers.get(place).copied().unwrap_or(false);
-        let vector = |place: usize| vectors.get(place).copied().unwrap_or(false);
-        let one = |is_constant: bool| if is_constant { Self::All } else { Self::None };
-        let two = |first: bool, second: bool| match (first, second) {
-            (true, true) => Self::All,
-            (true, false) => Self::First,
-            (false, true) => Self::Second,
-            (false, false) => Self::None,
-        };
-        match operation {
-            Operation::Scalar(operation) => match operation {
-                S::Constant(_) | S::OrbitDistance(_) | S::OrbitStrength(_) => Self::All,
-                S::Negate(a) | S::Scale(a, _) | S::Power(a, _) => one(number(a)),
-                S::Add(a, b) | S::Subtract(a, b) | S::Multiply(a, b) | S::Divide(a, b) => {
-                    two(number(a), number(b))
-                }
-                S::Component(v, _) => one(vector(v)),
-                S::Dot(a, b) => two(vector(a), vector(b)),
-                _ => Self::None,
-            },
-            Operation::Vector(operation) => match operation {
-                V::Constant(_) => Self::All,
-                V::Negate(a) | V::Scale(a, _) | V::Image(_, a) => one(vector(a)),
-                V::Add(a, b) | V::Subtract(a, b) | V::Cross(a, b) | V::Product(a, b) => {
-                    two(vector(a), vector(b))
-                }
-                V::Times(a, b) => two(vector(a), number(b)),
-                V::Of([x, y, z]) => one(number(x) && number(y) && number(z)),
-                _ => Self::None,
-            },
+/// Returns the number of operations, from the first one on, that need each other's coefficients.
+fn circle_length(steps: &[TapeStep]) -> usize {
+    let mut length = 1;
+    for k in 0.. {
+        let Some(step) = steps.get(k).filter(|_| k < length) else { break };
+        if let Operation::Scalar(ScalarOperation::IntegralBy { by, .. }) = step.operation {
+            let is_factor =
+                |step: &TapeStep| matches!(step.operation, Operation::Scalar(_)) && step.place == by;
+            length = length.max(steps.iter().position(is_factor).map_or(0, |at| at + 1));
         }
+    }
+    length
+}
+
+/// Classifies an operation, and returns the degree of its result, from those of the numbers and
+/// vectors so far.
+fn classify(operation: Operation, [numbers, vectors]: &[Vec<Degree>; 2]) -> (Constant, Degree) {
+    use ScalarOperation as S;
+    use VectorOperation as V;
+    let number = |place: usize| numbers.get(place).copied().unwrap_or(MANY);
+    let vector = |place: usize| vectors.get(place).copied().unwrap_or(MANY);
+    let constant = |first: Degree, second: Degree| match (first, second) {
+        (0, 0) => Constant::All,
+        (0, _) => Constant::First,
+        (_, 0) => Constant::Second,
+        _ => Constant::None,
+    };
+    let one = |degree: Degree| (constant(degree, degree), degree);
+    let sum = |a: Degree, b: Degree| (constant(a, b), a.max(b));
+    let product = |a: Degree, b: Degree| (constant(a, b), a.saturating_add(b).min(MANY));
+    let function = |degree: Degree| one(if degree == 0 { 0 } else { MANY });
+    match operation {
+        Operation::Scalar(operation) => match operation {
+            S::Constant(_) | S::OrbitDistance(_) | S::OrbitStrength(_) => one(0),
+            S::Time => one(1),
+            S::Negate(a) | S::Scale(a, _) => one(number(a)),
+            S::Power(a, _) => function(number(a)),
+            S::Add(a, b) | S::Subtract(a, b) => sum(number(a), number(b)),
+            S::Multiply(a, b) => product(number(a), number(b)),
+            S::Divide(a, b) if number(b) == 0 => (constant(number(a), 0), number(a)),
+            S::Divide(a, b) => (constant(number(a), number(b)), MANY),
+            S::IntegralBy { of, .. } if number(of) == 1 => (Constant::Linear, MANY),
+            S::Component(v, _) => one(vector(v)),
+            S::Dot(a, b) => product(vector(a), vector(b)),
+            _ => one(MANY),
+        },
+        Operation::Vector(operation) => match operation {
+            V::Constant(_) => one(0),
+            V::Negate(a) | V::Scale(a, _) | V::Image(_, a) => one(vector(a)),
+            V::Add(a, b) | V::Subtract(a, b) => sum(vector(a), vector(b)),
+            V::Cross(a, b) | V::Product(a, b) => product(vector(a), vector(b)),
+            V::Times(a, b) => product(vector(a), number(b)),
+            V::Of(places) => one(places.into_iter().map(number).max().unwrap_or(MANY)),
+            _ => one(MANY),
+        },
     }
 }
 

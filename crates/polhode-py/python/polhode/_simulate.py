@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy.typing as npt
 
 from . import _arrays, _native
+from ._computed_function import Called
 from ._error import PolhodeError, warn
 from ._mass_properties import Finding, warn_of
 from ._motion import Motion
@@ -105,8 +106,8 @@ def simulate(
     >>> motion.derivatives.events[0].time_by_parameters.round(12)
     array([-6.])
     """
-    functions: list[tuple[int, bool, Callable[..., tuple[float, ...]]]] = []
-    measures: list[tuple[int, bool, Callable[..., float]]] = []
+    functions: list[tuple[int, bool, Called]] = []
+    measures: list[tuple[int, bool, Called]] = []
     if isinstance(scenario, Scenario):
         path, text, functions, measures = scenario._path, scenario._text(), scenario._functions(), scenario._measures()
     elif isinstance(scenario, str) and "\n" in scenario:

@@ -33,7 +33,8 @@ def simulate(
         Times (n,), s, ascending, which replace those of ``[run]``.
     error
         Method of the estimate :attr:`Motion.error`: ``"thorough"`` costs 12 to 20 times as much as
-        the motion, ``"cheap"`` three to seven times; ``"auto"`` is thorough if that is fast.
+        the motion, ``"cheap"`` three to seven times; ``"auto"`` is thorough if that is fast, and
+        cheap if a Python function computes a torque or the measure of an event.
     derivatives
         Parameters of torques for :attr:`Motion.derivatives`, in addition to the start and the
         inertia tensor. ``"torque[0].factor"`` is a factor of the first torque, equal to 1;

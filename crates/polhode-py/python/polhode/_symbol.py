@@ -35,14 +35,17 @@ class Symbol:
 
     __slots__ = ("_pieces", "_holds", "_length", "_serial")
 
+    #: Text, and operands with the precedence below which they are in parentheses.
+    _pieces: tuple[str | tuple[Symbol, int], ...]
+    _holds: int
+    #: Length of the formula without names, up to parentheses.
+    _length: int
+    #: Order of creation: operands come first.
+    _serial: int
+
     def __init__(self, *pieces: str | tuple[Symbol, int], holds: int = NAME) -> None:
-        #: Text, and operands with the precedence below which they are in parentheses.
-        self._pieces = pieces
-        self._holds = holds
-        #: Length of the formula without names, up to parentheses.
+        self._pieces, self._holds, self._serial = pieces, holds, next(_serials)
         self._length = sum(len(piece) if isinstance(piece, str) else piece[0]._length for piece in pieces)
-        #: Order of creation: operands come first.
-        self._serial = next(_serials)
 
     @property
     def text(self) -> str:

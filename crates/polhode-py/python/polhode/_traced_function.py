@@ -44,8 +44,8 @@ class Symbols(np.ndarray):
     def clip(self, *given: Any, **options: Any) -> Any:
         return np.clip(self, *given, **options)
 
-    def dot(self, other: Any) -> Any:
-        return np.dot(self, other)
+    def dot(self, *given: Any, **options: Any) -> Any:
+        return np.dot(self, *given, **options)
 
 
 def array(values: Any) -> Symbols:
@@ -118,7 +118,7 @@ _FUNCTIONS: dict[np.ufunc, Callable[..., Any]] = {
 }
 
 #: Functions that users call where NumPy calls the reduction of another function.
-_REDUCTIONS = {np.add: "sum", np.multiply: "prod", np.maximum: "max", np.minimum: "min", np.logical_and: "all", np.logical_or: "any"}
+_REDUCTIONS: dict[np.ufunc, str] = {np.add: "sum", np.multiply: "prod", np.maximum: "max", np.minimum: "min", np.logical_and: "all", np.logical_or: "any"}
 
 #: Options of NumPy functions, with their values if they are not given.
 _DEFAULTS: dict[str, Any] = {"dtype": None, "where": True, "initial": np._NoValue}

@@ -52,7 +52,8 @@ pub(crate) struct Functions {
 
 impl Functions {
     pub(crate) fn new((torques, measures): PythonFunctions) -> Self {
-        let is_called = !measures.is_empty() || torques.iter().any(|(_, called)| matches!(called, Called::One(_)));
+        let is_called =
+            !measures.is_empty() || torques.iter().any(|(_, called)| matches!(called, Called::One(_)));
         let raised = Raised::default();
         let made = |(in_space, called)| match called {
             Called::One(law) => function(in_space, law, Raised::clone(&raised)),

@@ -54,9 +54,7 @@ impl Part {
                 let along_body = momentum().map(|momentum| state.attitude.inverse() * momentum);
                 array(&along_body.map_or([f64::NAN; 3], |momentum| momentum.to_array()))
             }
-            Self::MomentumSpace => {
-                array(&momentum().map_or([f64::NAN; 3], |momentum| momentum.to_array()))
-            }
+            Self::MomentumSpace => array(&momentum().map_or([f64::NAN; 3], |momentum| momentum.to_array())),
         }
     }
 }

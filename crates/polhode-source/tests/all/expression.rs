@@ -157,14 +157,14 @@ fn deep_and_long_texts_cost_memory_in_proportion_and_no_stack() {
 fn no_text_panics() {
     let parts = [
         "x", "y", "7", "1e3", "(", ")", ",", "+", "-", "*", "/", "^", "<", ">=", "if(", "min(", "sqrt(",
-        "pi", " ", ".", "é", "e", "=", "\u{202e}",
+        "pi", " ", ".", "é", "e", "=", "\u{202e}", ";", "t", "y=",
     ];
     let mut state = 9_u64;
     let mut below = |n: usize| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((u128::from(state) * n as u128) >> 64) as usize
     };
-    let mut read = 0;
+    let (mut read, mut with_locals) = (0, 0);
     for _ in 0..100_000 {
         let text: String = (0..=below(9)).map(|_| parts[below(parts.len())]).collect();
         match Expression::parse(&text, &XYZ) {
@@ -174,8 +174,15 @@ fn no_text_panics() {
             }
             Err(error) => assert!(error.column <= text.chars().count() + 1 && !error.to_string().is_empty()),
         }
+        match formula_of_state_in_si(&text) {
+            Ok(formula) => {
+                with_locals += usize::from(text.contains(';'));
+                let _ = formula.evaluate(&[0.3]);
+            }
+            Err(error) => assert!(error.column <= text.chars().count() + 1 && !error.to_string().is_empty()),
+        }
     }
-    assert!(read > 1000, "{read}");
+    assert!(read > 1000 && with_locals > 10, "{read} {with_locals}");
 }
 
 #[test]
@@ -359,4 +366,18 @@ fn only_generated_formulas_have_local_values() {
         assert_eq!(error.to_string(), message, "{text}");
     }
     assert!(formula_of_state("a = 2 N m; a", None).is_err());
+}
+
+#[test]
+fn the_book_lists_every_function() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/scenario-torque-formulas.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let (_, listed) = page.split_once("A formula has numbers").unwrap();
+    let (listed, _) = listed.split_once("and these variables").unwrap();
+    let hint = Expression::parse("foo(x)", &XYZ).unwrap_err().hint().unwrap();
+    let names = hint.trim_start_matches("the functions are ").split(';').next().unwrap();
+    let words: Vec<&str> = listed.split(|c: char| !c.is_ascii_alphanumeric()).collect();
+    for name in names.split(", ") {
+        assert!(words.contains(&name), "{name}");
+    }
 }

@@ -23,28 +23,40 @@ class Turned:
     def __init__(self, quaternion: Any) -> None:
         self._quaternion = quaternion
 
+    @property
+    def _is_many(self) -> bool:
+        return bool(self._quaternion.ndim > 1)
+
+    def _parts(self) -> Any:
+        """Returns w, x, y and z. Plain numbers are faster than arrays for one body."""
+        return np.moveaxis(self._quaternion, -1, 0) if self._is_many else self._quaternion.tolist()
+
+    def _joined(self, *parts: Any) -> Any:
+        """Returns an array whose last axis has these parts."""
+        return np.stack(parts, axis=-1) if self._is_many else np.array(parts)
+
     def as_quat(self, *, scalar_first: bool = False) -> Floats:
         """Returns the quaternion (…, 4): x, y, z, w as in SciPy, or w first."""
         return self._quaternion.copy() if scalar_first else np.roll(self._quaternion, -1, axis=-1)
 
     def as_matrix(self) -> Any:
         """Returns the rotation matrix R_space_body (…, 3, 3)."""
-        w, x, y, z = np.moveaxis(self._quaternion, -1, 0)
+        w, x, y, z = self._parts()
         # R = (w² − q²) 1 + 2 q qᵀ + 2 w [q]×
         rows = (
             (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
             (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
             (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
         )
-        return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+        return np.stack([self._joined(*row) for row in rows], axis=-2) if self._is_many else np.array(rows)
 
     def apply(self, vector: npt.ArrayLike, inverse: bool = False) -> Any:
         """Returns the space components of a vector (3,) in body components, or of one for each body
         (n, 3); with ``inverse``, the reverse."""
         matrix = self.as_matrix()
         if inverse:
-            matrix = np.swapaxes(matrix, -1, -2)
-        if matrix.ndim == 2:
+            matrix = matrix.swapaxes(-1, -2)
+        if not self._is_many:
             return matrix @ np.asarray(vector)
         given = np.asarray(vector)
         if given.shape not in ((3,), (len(matrix), 3)):
@@ -56,17 +68,17 @@ class Turned:
         return Turned(self._conjugate())
 
     def _conjugate(self) -> Any:
-        w, x, y, z = np.moveaxis(self._quaternion, -1, 0)
-        return np.stack([w, -x, -y, -z], axis=-1)
+        w, x, y, z = self._parts()
+        return self._joined(w, -x, -y, -z)
 
     def as_rotvec(self, degrees: bool = False) -> Any:
         """Returns the rotation vector (…, 3): axis times angle, at most π, in rad or degrees."""
-        w, x, y, z = np.moveaxis(self._quaternion, -1, 0)
+        w, x, y, z = self._parts()
         sine = np.sqrt(x * x + y * y + z * z)
         sign = np.where(w < 0, -1.0, 1.0)
         is_small = sine < _HALF
         scale = sign * np.where(is_small, 2.0, 2.0 * np.arctan2(sine, sign * w) / np.where(is_small, 1.0, sine))
-        found = np.stack([scale * x, scale * y, scale * z], axis=-1)
+        found = self._joined(scale * x, scale * y, scale * z)
         return np.degrees(found) if degrees else found
 
     def as_euler(self, seq: str, degrees: bool = False) -> Any:
@@ -84,7 +96,7 @@ class Turned:
         if is_symmetric:
             k = 3 - i - j
         sign = float((i - j) * (j - k) * (k - i) // 2)
-        w, *vector = np.moveaxis(self._quaternion, -1, 0)
+        w, *vector = self._parts()
         a, b, c, d = w, vector[i], vector[j], sign * vector[k]
         if not is_symmetric:
             a, b, c, d = w - vector[j], vector[i] + sign * vector[k], vector[j] + w, sign * vector[k] - vector[i]
@@ -103,7 +115,7 @@ class Turned:
                 first = sign * first
             else:
                 third = sign * third
-        found = np.stack([_wrapped(first), middle, _wrapped(third)], axis=-1)
+        found = self._joined(_wrapped(first), middle, _wrapped(third))
         return np.degrees(found) if degrees else found
 
 

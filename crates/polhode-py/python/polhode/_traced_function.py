@@ -183,8 +183,9 @@ def _clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max:
     return _elementwise(_named("clip"), a, low, high)
 
 
-#: Maximum number of points in a table of np.interp: each takes some 60 characters of the formula.
-_MOST_POINTS = 1000
+#: Maximum number of points in a table of np.interp: a formula computes all intervals and chooses
+#: one, so with more points it is slower than a call of the function.
+_MOST_POINTS = 200
 
 
 def _interp(x: Any, xp: npt.ArrayLike, fp: npt.ArrayLike, left: Any = None, right: Any = None) -> Any:
@@ -194,7 +195,7 @@ def _interp(x: Any, xp: npt.ArrayLike, fp: npt.ArrayLike, left: Any = None, righ
         raise PolhodeError(f"xp and fp of np.interp must have one length of at least 1, not {len(places)} and {len(values)}")
     _arrays.refuse("xp of np.interp", places, np.diff(places, prepend=places[0]) < 0.0, "at least the one before it")
     if len(places) > _MOST_POINTS:
-        raise PolhodeError(f"np.interp has a table of {len(places)} points, and at most {_MOST_POINTS} fit into a formula", TOO_LONG)
+        raise PolhodeError(f"np.interp has a table of {len(places)} points, and a formula chooses between at most {_MOST_POINTS}", TOO_LONG)
 
     def of(at: Symbol) -> Symbol:
         found = _number(values[-1])
@@ -276,6 +277,9 @@ class Attitude(Turned):
         super().__init__(quaternion)
         self._quaternion = self._conjugate() if is_inverse else quaternion
         self._is_inverse = is_inverse
+
+    def _joined(self, *parts: Any) -> Symbols:
+        return array(parts)
 
     def as_matrix(self) -> Symbols:
         """Returns the rotation matrix R_space_body (3, 3)."""

@@ -42,6 +42,7 @@ FUNCTIONS: list[Callable[..., Any]] = [
     lambda omega: -0.2 * omega * np.sum(omega) + omega.sum() * omega.mean() * LIMITS,
     lambda omega: np.array([np.max(omega), omega.min(), np.mean(omega**2)]) + np.prod(omega) + omega.max(),
     lambda omega: np.clip(-2 * omega, -LIMITS, LIMITS) + omega.clip(-0.5, 0.6),
+    lambda omega: np.clip(np.stack([-omega[0], 0.4, omega[2] ** 2]), -0.45, 0.3) + np.maximum(np.stack([omega[1], omega[0], 0.0]), 0.2),
     lambda t, omega: np.array([np.clip(omega[0], 0.1, None), np.clip(t, a_min=None, a_max=0.01), 0.2]),
     lambda omega: np.tanh(omega) + 0.1 * np.sinh(omega) + 0.2 * np.cosh(omega),
     lambda omega: np.log1p(omega**2) - np.expm1(omega / 3) + np.log10(2 + omega) + np.exp2(omega),
@@ -145,6 +146,7 @@ def test_refused_functions_are_named_as_they_are_called() -> None:
     assert "np.linalg.inv" in message(lambda omega: np.linalg.inv(np.outer(omega, omega))[0])
     assert "np.where" in message(lambda t: np.where(t > 1) * LIMITS)
     assert "np.array([x, y, z])" in message(set_one_by_one)
+    assert "np.stack([x, y, z])" in message(lambda omega: np.clip(np.array([omega[0], 0.2, omega[1]]), -1, 1))
 
 
 def _grown(t: Any) -> Any:

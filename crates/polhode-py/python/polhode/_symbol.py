@@ -170,7 +170,8 @@ class Symbol:
 
     def __bool__(self) -> NoReturn:
         raise TypeError(
-            "the function branches on a symbol, whose value is unknown when the function is traced: use polhode.scenario.where(condition, then, otherwise)"
+            "the function branches on a symbol, whose value is unknown when the function is traced: use polhode.scenario.where(condition, then, otherwise), "
+            "and np.stack([x, y, z]), not np.array, for an array that np.clip or np.maximum takes"
         )
 
     def __float__(self) -> NoReturn:

@@ -178,9 +178,11 @@ def _mean(given: Any, axis: Any = None, keepdims: bool = False) -> Any:
 
 def _clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: Any = None) -> Any:
     low, high = a_min if a_min is not None else min, a_max if a_max is not None else max
-    if low is None or high is None:
-        return np.minimum(a, high) if low is None else np.maximum(a, low)
-    return _elementwise(_named("clip"), a, low, high)
+    if low is not None and high is not None:
+        return _elementwise(_named("clip"), a, low, high)
+    if low is not None:
+        return np.maximum(a, low)
+    return a if high is None else np.minimum(a, high)
 
 
 #: Maximum number of points in a table of np.interp: a formula computes all intervals and chooses

@@ -10,14 +10,23 @@ use polhode_source::files::Disk;
 use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};
+use crate::function::PythonFunction;
 use crate::scenario::{Raised, function, measured, measuring, vectorized};
 
-/// Torque computed in Python: true for components along space axes, the function, and true if one
-/// call handles many members.
-pub(crate) type PythonTorque = (bool, Py<PyAny>, bool);
+/// Torque computed in Python: true for components along space axes, and the function.
+pub(crate) type PythonTorque = (bool, Called);
+
+/// Python function of a torque.
+#[derive(Debug, FromPyObject)]
+pub(crate) enum Called {
+    /// One call handles one member.
+    One(PythonFunction),
+    /// One call handles many members.
+    Many(Py<PyAny>),
+}
 
 /// Event measure computed in Python: true if it depends on the body, and the function.
-pub(crate) type PythonMeasure = (bool, Py<PyAny>);
+pub(crate) type PythonMeasure = (bool, PythonFunction);
 
 /// Torques and event measures computed in Python.
 pub(crate) type PythonFunctions = (Vec<PythonTorque>, Vec<PythonMeasure>);
@@ -43,11 +52,12 @@ pub(crate) struct Functions {
 
 impl Functions {
     pub(crate) fn new((torques, measures): PythonFunctions) -> Self {
-        let is_called = !measures.is_empty() || torques.iter().any(|(_, _, many)| !many);
+        let is_called =
+            !measures.is_empty() || torques.iter().any(|(_, called)| matches!(called, Called::One(_)));
         let raised = Raised::default();
-        let made = |(in_space, law, many)| {
-            let made = if many { vectorized } else { function };
-            made(in_space, law, Raised::clone(&raised))
+        let made = |(in_space, called)| match called {
+            Called::One(law) => function(in_space, law, Raised::clone(&raised)),
+            Called::Many(law) => vectorized(in_space, law, Raised::clone(&raised)),
         };
         let torques = torques.into_iter().map(made).collect();
         let measure = |(needs_body, measure)| measured(needs_body, measure, Raised::clone(&raised));

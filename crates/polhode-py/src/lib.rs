@@ -23,6 +23,7 @@ mod explain;
 mod files;
 mod finding;
 mod free_motion;
+mod function;
 #[cfg(feature = "identify")]
 mod identify;
 mod interrupt;

@@ -92,7 +92,7 @@ pub(crate) fn simulate(
 }
 
 /// Computes the motion of a scenario with the error estimate selected by `error`; `None` without a
-/// run.
+/// run. By default it is cheap if Python is called.
 ///
 /// # Errors
 /// Exceptions of Python functions, and `KeyboardInterrupt`.
@@ -106,6 +106,7 @@ fn computed(
         "none" => None,
         "thorough" => Some(ErrorEffort::Thorough),
         "cheap" => Some(ErrorEffort::Cheap),
+        _ if has_functions(scenario) => Some(ErrorEffort::Cheap),
         _ => Some(ErrorEffort::Auto),
     };
     let motion = watched(py, |look| {
@@ -274,7 +275,7 @@ impl PyMotion {
                 title: self.scenario.title().unwrap_or(UNTITLED),
                 source: &format!("polhode {VERSION} in Python"),
                 // A text cannot contain a Python function, or start at the end of another motion.
-                scenario_text: (!self.has_functions() && !self.is_continued).then_some(&*self.text),
+                scenario_text: (!has_functions(&self.scenario) && !self.is_continued).then_some(&*self.text),
                 subject: PageSubject::Scenario(&self.scenario),
                 trajectory: &self.trajectory,
                 explanation: explanation.as_ref(),
@@ -291,13 +292,14 @@ pub(crate) fn motion_page(title: Option<&str>, data: &str) -> String {
     page_of(title.unwrap_or(UNTITLED), data)
 }
 
-impl PyMotion {
-    fn has_functions(&self) -> bool {
-        let of_event = |event: &Event| matches!(event.measure(), Measure::Function(_));
-        self.scenario.torques().iter().any(|torque| matches!(torque, TorqueModel::Own(_)))
-            || self.scenario.events().iter().any(of_event)
-    }
+/// Returns true if Python computes a torque or the measure of an event.
+fn has_functions(scenario: &Scenario) -> bool {
+    let of_event = |event: &Event| matches!(event.measure(), Measure::Function(_));
+    scenario.torques().iter().any(|torque| matches!(torque, TorqueModel::Own(_)))
+        || scenario.events().iter().any(of_event)
+}
 
+impl PyMotion {
     /// Returns the work of the torque since the start at each sample, J.
     fn work(&self) -> Vec<f64> {
         let energy = self.trajectory.channel(channel::ENERGY);

@@ -15,6 +15,7 @@ use pyo3::prelude::*;
 use crate::arrays::{rows, table};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
+use crate::function::PythonFunction;
 
 /// Returns the tables of a scenario from a file or a text, as JSON; the scenario is checked.
 #[pyfunction]
@@ -47,12 +48,12 @@ pub(crate) fn sampled(scenario: Scenario, times: &[f64]) -> Scenario {
 }
 
 /// Torque computed in Python: number of the torque in the scenario, true for components along space
-/// axes, and the function. It maps time, ω, the attitude quaternion and L to three components.
-pub(crate) type PythonTorque = (usize, bool, Py<PyAny>);
+/// axes, and the function.
+pub(crate) type PythonTorque = (usize, bool, PythonFunction);
 
 /// Event measure computed in Python: number of the event in the scenario, true if it depends on the
-/// mass of the body, and the function. It maps time, ω, the attitude quaternion and L to a number.
-pub(crate) type PythonMeasure = (usize, bool, Py<PyAny>);
+/// mass of the body, and the function.
+pub(crate) type PythonMeasure = (usize, bool, PythonFunction);
 
 /// Raises the exception of a Python function, if there is one.
 pub(crate) fn heard(raised: &Raised) -> PyResult<()> {
@@ -123,22 +124,20 @@ pub(crate) fn measuring(event: &Event, measure: EventFunction) -> PyResult<Event
 }
 
 /// Returns the event function that calls a Python function.
-pub(crate) fn measured(needs_body: bool, measure: Py<PyAny>, raised: Raised) -> EventFunction {
-    let value = move |state: &State, momentum: [f64; 3]| {
+pub(crate) fn measured(needs_body: bool, measure: PythonFunction, raised: Raised) -> EventFunction {
+    let value = move |rotor: Option<&Rotor>, state: &State| {
         // The run may end only some calls after the exception.
         if has_raised(&raised) {
             return f64::NAN;
         }
-        let given = (state.time, state.omega.to_array(), state.attitude.quaternion(), momentum);
-        let found = Python::attach(|py| measure.call1(py, given)?.extract::<f64>(py));
-        found.unwrap_or_else(|error| {
+        measure.number(rotor, state).unwrap_or_else(|error| {
             raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
             f64::NAN
         })
     };
     match needs_body {
-        true => EventFunction::of_body(move |rotor, state| value(state, in_body_axes(rotor, state))),
-        false => EventFunction::new(move |state| value(state, [f64::NAN; 3])),
+        true => EventFunction::of_body(move |rotor, state| value(Some(rotor), state)),
+        false => EventFunction::new(move |state| value(None, state)),
     }
 }
 
@@ -148,12 +147,9 @@ fn in_body_axes(rotor: &Rotor, state: &State) -> [f64; 3] {
 }
 
 /// Returns a torque computed by a Python function for one body.
-pub(crate) fn function(in_space: bool, law: Py<PyAny>, raised: Raised) -> TorqueModel {
+pub(crate) fn function(in_space: bool, law: PythonFunction, raised: Raised) -> TorqueModel {
     TorqueModel::function("function", move |rotor: &Rotor, state: &State| {
-        let momentum = in_body_axes(rotor, state);
-        let given = (state.time, state.omega.to_array(), state.attitude.quaternion(), momentum);
-        let found = Python::attach(|py| law.call1(py, given)?.extract::<[f64; 3]>(py));
-        match found {
+        match law.vector(rotor, state) {
             Ok(torque) if in_space => state.attitude.inverse() * Torque::<Space>::from_array(torque),
             Ok(torque) => Torque::<Body>::from_array(torque),
             Err(error) => {

@@ -42,7 +42,7 @@ def test_they_are_found_as_formulas_are(generic: polhode.MassProperties, method:
 def test_they_stop_and_switch(generic: polhode.MassProperties) -> None:
     stopped = polhode.simulate(scenario(generic, Event(measure=lambda omega: omega[2], value=2.0, direction="falling", then="stop", name="slow")))
     assert stopped.ending.kind == "stopped" and stopped.ending.cause == "slow" and abs(stopped.omega[-1, 2] - 2.0) < 1e-13
-    same = polhode.simulate(scenario(generic, Event(measure="omega_body_z", value=2.0, direction="falling", then="stop", name="slow")))
+    same = polhode.simulate(scenario(generic, Event(measure="omega_body_z", value=2.0, direction="falling", then="stop", name="slow")), error="cheap")
     assert stopped == same
     off = {"switch": "push", "on": False}
     motions = [polhode.simulate(scenario(generic, Event(measure=what, value=2.5, then=off))) for what in (lambda t: t, "time")]

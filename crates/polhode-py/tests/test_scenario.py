@@ -275,20 +275,13 @@ def test_what_no_formula_can_be_is_refused() -> None:
 
     assert "branches on a symbol" in message(lambda t: [1, 0, 0] if t < 1 else [0, 0, 0])
     assert "not those of math" in message(lambda t: [__import__("math").sin(t), 0, 0])
-    assert "np.tanh" in message(lambda omega: np.tanh(omega))
+    assert "np.arcsinh" in message(lambda omega: np.arcsinh(omega))
     assert "for equality" in message(lambda t: [1.0 * (t == 0), 0, 0])
     assert "shape (3,)" in message(lambda omega: omega[:2])
     assert "parameter speed" in message(lambda t, speed: [speed, 0, 0])
     assert "must be a function" in message([0, 0, 1])
-    assert "too long" in message(lambda t: [_often(t), 0, 0])
     assert torque(lambda t, omega: where(t > 2, -omega, [0, 0, 1])).torque == ("if(t>2,-wx,0)", "if(t>2,-wy,0)", "if(t>2,-wz,1)")
     assert torque(lambda omega: np.array([2 - omega[0], -(omega[1] - 1), (omega[2] / -3) ** -2])).torque == ("2-wx", "-(wy-1)", "(wz/(-3))^(-2)")
-
-
-def _often(t: object) -> object:
-    for _ in range(20):
-        t = t * t + t  # type: ignore[operator]
-    return t
 
 
 def test_a_law_of_numbers_raises_its_own_error(generic: polhode.MassProperties) -> None:

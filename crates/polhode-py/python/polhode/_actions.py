@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Iterable, Mapping, Sequence
 
 from . import _arrays, _section
-from ._computed_function import computed, computed_of_many, measured, needs_momentum
+from ._computed_function import Called, computed, computed_of_many, measured, needs_momentum
 from ._error import PolhodeError
 from ._section import Section
 from .scenario import Event, FunctionTorque, Orbit, Torque, Wheel
@@ -23,12 +23,12 @@ _TABLES: dict[str, tuple[str, type[Section]]] = {
     "orbit": ("orbit", Orbit),
 }
 
-#: Torque computed by a Python function: whether it is in space axes, the function, and whether the
-#: function takes many members at once.
-Function = tuple[bool, Callable[..., Any], bool]
+#: Torque computed by a Python function: whether it is in space axes, and the function of one member,
+#: or of many at once.
+Function = tuple[bool, Called | Callable[..., Any]]
 
 #: Event measure computed by a Python function: whether it depends on the body, and the function.
-Measure = tuple[bool, Callable[..., float]]
+Measure = tuple[bool, Called]
 
 #: Torques and events that Python functions compute: for each, its position in the list and the
 #: index of the function.
@@ -61,7 +61,7 @@ class Functions:
         if key not in self._known:
             self._known[key] = len(functions)
             called = computed_of_many(torque.function) if torque.vectorized else computed(torque.function)
-            functions.append((torque.axes == "space", called, torque.vectorized))
+            functions.append((torque.axes == "space", called))
         return self._known[key]
 
     def _measure(self, measure: Callable[..., Any]) -> int:

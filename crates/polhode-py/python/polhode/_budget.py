@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from . import _arrays, _native, _rotation, _toml
 from ._arrays import Floats
-from ._computed_function import Turned
+from ._attitude import Turned
 from ._error import PolhodeError
 from ._estimate import Estimate, counted, floats
 from ._mass_properties import Finding, MassProperties, findings_of, warn_of

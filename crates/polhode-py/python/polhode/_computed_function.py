@@ -5,44 +5,58 @@ from __future__ import annotations
 from typing import Any, Callable, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _arrays
 from ._arrays import Floats
+from ._attitude import Turned
 from ._error import PolhodeError
-from ._traced_function import asked, called_with
+from ._traced_function import asked, positional
+
+#: Function of one body as Rust calls it: the function, the parts of the state in the order of its
+#: arguments, and the conversion of its result, which also takes the time.
+Called = tuple[Callable[..., Any], list[str], Callable[[Any, float], Any]]
 
 #: Largest difference between the torque of a member alone and among others, relative to the
 #: greatest torque. Sums of different lengths round differently.
 ALONE = 1e-9
 
 
-def computed(function: Any) -> Callable[..., tuple[float, ...]]:
-    """Returns the function of a torque as one of plain numbers: time, ω, attitude quaternion and L, body
-    axes."""
-    needed = asked(function)
-
-    def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
-        state = State(t, np.array(omega), np.array(quaternion), np.array(momentum), 0)
-        torque = _arrays.real("the torque of a function", called_with(function, {name: getattr(state, name) for name in needed}))
-        if torque.shape != (3,):
-            raise PolhodeError(f"the function must return three components, of shape (3,), not {torque.shape}")
-        return tuple(torque.tolist())
-
-    return of
+def computed(function: Any) -> Called:
+    """Returns the function of a torque as Rust calls it."""
+    return *_given(function, asked(function)), _checked
 
 
-def measured(function: Any) -> Callable[..., float]:
-    """Returns the function of an event as one of plain numbers: time, ω, attitude quaternion and L,
-    body axes."""
-    needed = asked(function)
+def measured(function: Any) -> Called:
+    """Returns the function of an event as Rust calls it."""
 
-    def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> float:
-        state = State(t, np.array(omega), np.array(quaternion), np.array(momentum), 0)
-        value = called_with(function, {name: getattr(state, name) for name in needed})
+    def checked(value: Any, t: float) -> float:
         return _arrays.number(f"what an event measures at t = {t} s", value)
 
-    return of
+    return *_given(function, asked(function)), checked
+
+
+def _checked(found: Any, _time: float) -> list[float]:
+    torque = _arrays.real("the torque of a function", found)
+    if torque.shape != (3,):
+        raise PolhodeError(f"the function must return three components, of shape (3,), not {torque.shape}")
+    components: list[float] = torque.tolist()
+    return components
+
+
+def _given(function: Any, names: list[str]) -> tuple[Callable[..., Any], list[str]]:
+    """Returns a function of parts of the state, and their names in the order of its arguments.
+
+    The attitude is made from its quaternion.
+    """
+    called = positional(function, names)
+    if "attitude" not in names:
+        return called, names
+    place = names.index("attitude")
+
+    def of(*given: Any) -> Any:
+        return called(*given[:place], Turned(given[place]), *given[place + 1 :])
+
+    return of, ["quaternion" if name == "attitude" else name for name in names]
 
 
 def needs_momentum(function: Any) -> bool:
@@ -53,10 +67,10 @@ def needs_momentum(function: Any) -> bool:
 def computed_of_many(function: Any) -> Callable[..., Floats]:
     """Returns a vectorised function as one of times (n,), ω (n, 3), quaternions (n, 4), L (n, 3)
     and members (n,), body axes."""
-    needed = asked(function, vectorized=True)
+    called, names = _given(function, asked(function, vectorized=True))
 
     def rows(state: State) -> Floats:
-        torque = _arrays.real("the torque of a function", called_with(function, {name: getattr(state, name) for name in needed}))
+        torque = _arrays.real("the torque of a function", called(*(getattr(state, name) for name in names)))
         if torque.shape != (len(state.t), 3):
             rule = f"a vectorised function must return a row for each member, of shape ({len(state.t)}, 3)"
             raise PolhodeError(f"{rule}, not {torque.shape}")
@@ -83,19 +97,20 @@ def computed_of_many(function: Any) -> Callable[..., Floats]:
     return of
 
 
-def computed_of_one(function: Any) -> Callable[..., tuple[float, ...]]:
-    """Returns a vectorised function as one for a single body."""
+def computed_of_one(function: Any) -> Called:
+    """Returns a vectorised function as Rust calls it for one body."""
     many = computed_of_many(function)
 
-    def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
-        alone = (np.array([t]), np.array([omega]), np.array([quaternion]), np.array([momentum]), np.array([0]))
-        return tuple(many(*alone)[0].tolist())
+    def of(t: float, omega: Floats, quaternion: Floats, momentum: Floats) -> list[float]:
+        alone = (np.array([t]), omega[None], quaternion[None], momentum[None], np.array([0]))
+        components: list[float] = many(*alone)[0].tolist()
+        return components
 
-    return of
+    return of, ["t", "omega", "quaternion", "momentum"], _checked
 
 
 class State(NamedTuple):
-    """State of one body, or rows of states of many, by the names of the parameters of functions."""
+    """Rows of states of many bodies, by the names of the parameters of functions."""
 
     t: Any
     omega: Floats
@@ -104,53 +119,9 @@ class State(NamedTuple):
     member: Any
 
     @property
-    def attitude(self) -> Turned:
-        return Turned(self.quaternion)
+    def omega_space(self) -> Any:
+        return Turned(self.quaternion).apply(self.omega)
 
     @property
-    def omega_space(self) -> Floats:
-        return self.attitude.apply(self.omega)
-
-    @property
-    def momentum_space(self) -> Floats:
-        return self.attitude.apply(self.momentum)
-
-
-class Turned:
-    """Attitude of one body, or rows of attitudes of many.
-
-    It takes body components to space components.
-    """
-
-    def __init__(self, quaternion: Floats) -> None:
-        self._quaternion = quaternion
-
-    def as_quat(self, *, scalar_first: bool = False) -> Floats:
-        """Returns the quaternion (…, 4): x, y, z, w as in SciPy, or w first."""
-        return self._quaternion.copy() if scalar_first else np.roll(self._quaternion, -1, axis=-1)
-
-    def as_matrix(self) -> Floats:
-        """Returns the rotation matrix R_space_body (…, 3, 3)."""
-        w, x, y, z = np.moveaxis(self._quaternion, -1, 0)
-        # R = (w² − q²) 1 + 2 q qᵀ + 2 w [q]×
-        rows = (
-            (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
-            (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
-            (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
-        )
-        return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-
-    def apply(self, vector: npt.ArrayLike, inverse: bool = False) -> Floats:
-        """Returns the space components of a vector (3,) in body components, or of one for each body
-        (n, 3); with ``inverse``, the reverse."""
-        matrix = self.as_matrix()
-        if inverse:
-            matrix = np.swapaxes(matrix, -1, -2)
-        if matrix.ndim == 2:
-            one: Floats = matrix @ np.asarray(vector)
-            return one
-        given = np.asarray(vector)
-        if given.shape not in ((3,), (len(matrix), 3)):
-            raise PolhodeError(f"a vector must have the shape (3,), or ({len(matrix)}, 3) with a row for each member, not {given.shape}")
-        many: Floats = (matrix @ given[..., None])[..., 0]
-        return many
+    def momentum_space(self) -> Any:
+        return Turned(self.quaternion).apply(self.momentum)

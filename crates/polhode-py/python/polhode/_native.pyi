@@ -301,6 +301,10 @@ class Motion:
     def has_triangles(self) -> bool: ...
     def page_data(self, triangles: int | None) -> str: ...
 
+#: Python function of the state of one body: the function, the parts of the state in the order of its
+#: arguments, and the conversion of its result, which also takes the time.
+StateFunction = tuple[Callable[..., Any], list[str], Callable[[Any, float], Any]]
+
 #: Torques and events that Python functions compute: index in the list, and index of the function.
 Placed = tuple[list[tuple[int, int]], list[tuple[int, int]]]
 
@@ -312,12 +316,12 @@ class Ensemble:
         omega: Floats,
         attitude: Floats,
         actions: tuple[list[tuple[str, str, str, Placed]], list[int] | None],
-        functions: tuple[list[tuple[bool, Callable[..., Any], bool]], list[tuple[bool, Callable[..., float]]]],
+        functions: tuple[list[tuple[bool, StateFunction | Callable[..., Any]]], list[tuple[bool, StateFunction]]],
     ) -> Ensemble: ...
     @staticmethod
     def of_scenarios(
         scenarios: list[tuple[str, str, Placed]],
-        functions: tuple[list[tuple[bool, Callable[..., Any], bool]], list[tuple[bool, Callable[..., float]]]],
+        functions: tuple[list[tuple[bool, StateFunction | Callable[..., Any]]], list[tuple[bool, StateFunction]]],
     ) -> Ensemble: ...
     @property
     def findings(self) -> list[Remark]: ...
@@ -372,7 +376,7 @@ def simulate(
     times: Floats | None,
     error: str,
     derivatives: list[str] | None,
-    own: tuple[list[tuple[int, bool, Callable[..., tuple[float, ...]]]], list[tuple[int, bool, Callable[..., float]]]],
+    own: tuple[list[tuple[int, bool, StateFunction]], list[tuple[int, bool, StateFunction]]],
 ) -> Motion: ...
 def scenario_tables(path: str, text: str | None) -> str: ...
 def scenario_knobs(path: str, text: str) -> str: ...

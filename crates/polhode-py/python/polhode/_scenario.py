@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
 from . import _arrays, _html, _native, _section
 from ._body import Body
-from ._computed_function import computed, computed_of_one, measured, needs_momentum
+from ._computed_function import Called, computed, computed_of_one, measured, needs_momentum
 from ._error import PolhodeError
 from ._mass_properties import Finding, MassProperties, findings_of
 from ._public import public
@@ -380,14 +380,14 @@ class Scenario:
         # The scenario is immutable, so the text never changes.
         return "".join(f"{line}\n" for _, line in _section.lines(self._tables())).lstrip("\n")
 
-    def _functions(self) -> list[tuple[int, bool, Callable[..., tuple[float, ...]]]]:
+    def _functions(self) -> list[tuple[int, bool, Called]]:
         """Returns the torques that Python computes: their indices, whether they are in space axes,
         and the functions."""
         torques = enumerate(self.torques)
         functions = [(k, one) for k, one in torques if isinstance(one, FunctionTorque)]
         return [(k, one.axes == "space", computed_of_one(one.function) if one.vectorized else computed(one.function)) for k, one in functions]
 
-    def _measures(self) -> list[tuple[int, bool, Callable[..., float]]]:
+    def _measures(self) -> list[tuple[int, bool, Called]]:
         """Returns the event measures that Python computes: their indices, whether they depend on
         the body, and the functions."""
         events = ((k, event.measure) for k, event in enumerate(self.events))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy.typing as npt
 
 from . import _arrays, _native
+from ._computed_function import Called
 from ._error import PolhodeError, warn
 from ._mass_properties import Finding, warn_of
 from ._motion import Motion
@@ -32,7 +33,8 @@ def simulate(
         Times (n,), s, ascending, which replace those of ``[run]``.
     error
         Method of the estimate :attr:`Motion.error`: ``"thorough"`` costs 12 to 20 times as much as
-        the motion, ``"cheap"`` three to seven times; ``"auto"`` is thorough if that is fast.
+        the motion, ``"cheap"`` three to seven times; ``"auto"`` is thorough if that is fast, and
+        cheap if a Python function computes a torque or the measure of an event.
     derivatives
         Parameters of torques for :attr:`Motion.derivatives`, in addition to the start and the
         inertia tensor. ``"torque[0].factor"`` is a factor of the first torque, equal to 1;
@@ -105,8 +107,8 @@ def simulate(
     >>> motion.derivatives.events[0].time_by_parameters.round(12)
     array([-6.])
     """
-    functions: list[tuple[int, bool, Callable[..., tuple[float, ...]]]] = []
-    measures: list[tuple[int, bool, Callable[..., float]]] = []
+    functions: list[tuple[int, bool, Called]] = []
+    measures: list[tuple[int, bool, Called]] = []
     if isinstance(scenario, Scenario):
         path, text, functions, measures = scenario._path, scenario._text(), scenario._functions(), scenario._measures()
     elif isinstance(scenario, str) and "\n" in scenario:

@@ -5,131 +5,15 @@ from __future__ import annotations
 import inspect
 import math
 from functools import reduce
-from typing import Any, Callable, NoReturn
+from typing import Any, Callable
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays
-from ._arrays import Floats
+from ._attitude import Turned
 from ._error import PolhodeError
-
-#: Precedence levels of expressions: lowest for a choice and a comparison, highest for a name.
-_COMPARISON, _SUM, _PRODUCT, _SIGN, _POWER, _NAME = range(6)
-
-#: Maximum length of a formula in characters, as in the reader.
-LONGEST = 65536
-
-
-class Symbol:
-    """A symbolic expression. Operators and NumPy functions of it return other expressions."""
-
-    __slots__ = ("text", "_holds")
-
-    def __init__(self, text: str, holds: int = _NAME) -> None:
-        if len(text) > LONGEST:
-            rule = f"at most {LONGEST} characters: an expression that is used several times is repeated in the formula"
-            raise PolhodeError(f"the formula of this function is too long, which must have {rule}")
-        self.text = text
-        self._holds = holds
-
-    def _as(self, holds: int) -> str:
-        """Returns the text, in parentheses if its precedence is lower than ``holds``."""
-        return self.text if self._holds >= holds else f"({self.text})"
-
-    def _join(self, other: object, sign: str, holds: int, *, turned: bool = False) -> Any:
-        one = _symbol(other)
-        if one is None:
-            return NotImplemented
-        left, right = (one, self) if turned else (self, one)
-        simple = _simple(left.text, sign, right.text)
-        if simple is not None:
-            return (Symbol("0"), left, right, -right)[simple]
-        # The operators are left-associative: the right operand needs higher precedence, and
-        # parentheses if it has a sign.
-        return Symbol(f"{left._as(holds)}{sign}{right._as(_POWER if right._holds == _SIGN else holds + 1)}", holds)
-
-    def __add__(self, other: object) -> Any:
-        return self._join(other, "+", _SUM)
-
-    def __radd__(self, other: object) -> Any:
-        return self._join(other, "+", _SUM, turned=True)
-
-    def __sub__(self, other: object) -> Any:
-        return self._join(other, "-", _SUM)
-
-    def __rsub__(self, other: object) -> Any:
-        return self._join(other, "-", _SUM, turned=True)
-
-    def __mul__(self, other: object) -> Any:
-        return self._join(other, "*", _PRODUCT)
-
-    def __rmul__(self, other: object) -> Any:
-        return self._join(other, "*", _PRODUCT, turned=True)
-
-    def __truediv__(self, other: object) -> Any:
-        return self._join(other, "/", _PRODUCT)
-
-    def __rtruediv__(self, other: object) -> Any:
-        return self._join(other, "/", _PRODUCT, turned=True)
-
-    def __pow__(self, other: object) -> Any:
-        one = _symbol(other)
-        # Powers are right-associative and bind tighter than a sign: put each operand in parentheses
-        # unless it is a name.
-        return NotImplemented if one is None else Symbol(f"{self._as(_NAME)}^{one._as(_NAME)}", _POWER)
-
-    def __rpow__(self, other: object) -> Any:
-        one = _symbol(other)
-        return NotImplemented if one is None else one**self
-
-    def __neg__(self) -> Symbol:
-        return Symbol(f"-{self._as(_POWER)}", _SIGN)
-
-    def __pos__(self) -> Symbol:
-        return self
-
-    def __abs__(self) -> Symbol:
-        return _call("abs", self)
-
-    def __lt__(self, other: object) -> Any:
-        return self._join(other, "<", _COMPARISON)
-
-    def __le__(self, other: object) -> Any:
-        return self._join(other, "<=", _COMPARISON)
-
-    def __gt__(self, other: object) -> Any:
-        return self._join(other, ">", _COMPARISON)
-
-    def __ge__(self, other: object) -> Any:
-        return self._join(other, ">=", _COMPARISON)
-
-    def __eq__(self, other: object) -> NoReturn:
-        raise TypeError("the function compares a symbol for equality, but its value is unknown when the function is traced: compare with < or >")
-
-    def __ne__(self, other: object) -> NoReturn:
-        raise TypeError("the function compares a symbol for equality, but its value is unknown when the function is traced: compare with < or >")
-
-    __hash__ = object.__hash__
-
-    def __bool__(self) -> NoReturn:
-        raise TypeError(
-            "the function branches on a symbol, whose value is unknown when the function is traced: use polhode.scenario.where(condition, then, otherwise)"
-        )
-
-    def __float__(self) -> NoReturn:
-        raise TypeError("the function converts a symbol to a number, but its value is unknown when the function is traced: use NumPy's functions, not those of math")
-
-    __int__ = __index__ = __complex__ = __float__
-
-    def __iter__(self) -> NoReturn:
-        raise TypeError("a symbol is a single number and has no elements")
-
-    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
-        return _applied(ufunc, method, inputs, options)
-
-    def __repr__(self) -> str:
-        return f"Symbol({self.text})"
+from ._symbol import TOO_LONG, Symbol, call, symbol_of
 
 
 class Symbols(np.ndarray):
@@ -139,9 +23,29 @@ class Symbols(np.ndarray):
         return _applied(ufunc, method, inputs, options)
 
     def __array_function__(self, function: Any, types: Any, given: Any, options: Any) -> Any:
-        if function is np.where:
-            return where(*given, **options)
-        return super().__array_function__(function, types, given, options)
+        return _computed(function, given, options)
+
+    # The methods of arrays bypass the functions of the same names.
+    def sum(self, *given: Any, **options: Any) -> Any:
+        return np.sum(self, *given, **options)
+
+    def prod(self, *given: Any, **options: Any) -> Any:
+        return np.prod(self, *given, **options)
+
+    def mean(self, *given: Any, **options: Any) -> Any:
+        return np.mean(self, *given, **options)
+
+    def max(self, *given: Any, **options: Any) -> Any:
+        return np.max(self, *given, **options)
+
+    def min(self, *given: Any, **options: Any) -> Any:
+        return np.min(self, *given, **options)
+
+    def clip(self, *given: Any, **options: Any) -> Any:
+        return np.clip(self, *given, **options)
+
+    def dot(self, *given: Any, **options: Any) -> Any:
+        return np.dot(self, *given, **options)
 
 
 def array(values: Any) -> Symbols:
@@ -149,40 +53,8 @@ def array(values: Any) -> Symbols:
     return np.asarray(values, dtype=object).view(Symbols)
 
 
-def _symbol(value: object) -> Symbol | None:
-    """Converts a symbol or a number to a symbol; returns ``None`` for anything else."""
-    if isinstance(value, Symbol):
-        return value
-    if isinstance(value, np.ndarray) and value.ndim == 0:
-        value = value.item()
-    if isinstance(value, (bool, np.bool_)):
-        return Symbol(str(int(value)))
-    if not isinstance(value, (int, float, np.integer, np.floating)):
-        return None
-    number = _arrays.number("a number of a function", value)
-    text = repr(abs(number)).removesuffix(".0")
-    return Symbol(f"-{text}", _SIGN) if math.copysign(1.0, number) < 0.0 else Symbol(text)
-
-
-def _simple(left: str, sign: str, right: str) -> int | None:
-    """Simplifies a sum or a product with 0 or 1, which are frequent in vectors and matrices.
-
-    Returns 0 for the result 0, 1 for the left operand, 2 for the right, 3 for minus the right,
-    ``None`` if there is no simplification.
-    """
-    if sign == "*":
-        return 0 if "0" in (left, right) else 1 if right == "1" else 2 if left == "1" else None
-    if sign in ("+", "-") and right == "0":
-        return 1
-    return {"+": 2, "-": 3}.get(sign) if left == "0" else None
-
-
-def _call(name: str, *given: Symbol) -> Symbol:
-    return Symbol(f"{name}({','.join(one.text for one in given)})")
-
-
 def _named(name: str) -> Callable[..., Symbol]:
-    return lambda *given: _call(name, *given)
+    return lambda *given: call(name, *given)
 
 
 #: Symbolic forms of NumPy functions.
@@ -191,30 +63,43 @@ _FUNCTIONS: dict[np.ufunc, Callable[..., Any]] = {
     np.subtract: lambda a, b: a - b,
     np.multiply: lambda a, b: a * b,
     np.divide: lambda a, b: a / b,
+    np.remainder: lambda a, b: a % b,
+    np.floor_divide: lambda a, b: a // b,
     np.power: lambda a, b: a**b,
     np.float_power: lambda a, b: a**b,
     np.negative: lambda a: -a,
     np.positive: lambda a: a,
+    np.conjugate: lambda a: a,
     np.square: lambda a: a**2,
     np.reciprocal: lambda a: 1 / a,
     np.absolute: _named("abs"),
     np.fabs: _named("abs"),
+    np.floor: _named("floor"),
+    np.ceil: math.ceil,
+    np.trunc: lambda a: where(a < 0, math.ceil(a), math.floor(a)),
     np.sign: lambda a: where(a > 0, 1, where(a < 0, -1, 0)),
+    np.heaviside: lambda a, at_zero: where(a > 0, 1, where(a < 0, 0, at_zero)),
     np.less: lambda a, b: a < b,
     np.less_equal: lambda a, b: a <= b,
     np.greater: lambda a, b: a > b,
     np.greater_equal: lambda a, b: a >= b,
-    np.logical_and: lambda a, b: Symbol(f"({a.text} and {b.text})"),
-    np.logical_or: lambda a, b: Symbol(f"({a.text} or {b.text})"),
-    np.bitwise_and: lambda a, b: Symbol(f"({a.text} and {b.text})"),
-    np.bitwise_or: lambda a, b: Symbol(f"({a.text} or {b.text})"),
+    np.logical_and: lambda a, b: a & b,
+    np.logical_or: lambda a, b: a | b,
+    np.logical_not: lambda a: where(a, 0, 1),
+    np.bitwise_and: lambda a, b: a & b,
+    np.bitwise_or: lambda a, b: a | b,
     np.minimum: _named("min"),
     np.fmin: _named("min"),
     np.maximum: _named("max"),
     np.fmax: _named("max"),
     np.sqrt: _named("sqrt"),
     np.exp: _named("exp"),
+    np.exp2: lambda a: 2**a,
+    np.expm1: _named("expm1"),
     np.log: _named("log"),
+    np.log2: lambda a: call("log", a) / math.log(2.0),
+    np.log10: lambda a: call("log", a) / math.log(10.0),
+    np.log1p: _named("log1p"),
     np.sin: _named("sin"),
     np.cos: _named("cos"),
     np.tan: _named("tan"),
@@ -222,6 +107,9 @@ _FUNCTIONS: dict[np.ufunc, Callable[..., Any]] = {
     np.arccos: _named("acos"),
     np.arctan: _named("atan"),
     np.arctan2: _named("atan2"),
+    np.sinh: _named("sinh"),
+    np.cosh: _named("cosh"),
+    np.tanh: _named("tanh"),
     np.hypot: _named("hypot"),
     np.radians: lambda a: a * (math.pi / 180.0),
     np.deg2rad: lambda a: a * (math.pi / 180.0),
@@ -229,35 +117,98 @@ _FUNCTIONS: dict[np.ufunc, Callable[..., Any]] = {
     np.rad2deg: lambda a: a * (180.0 / math.pi),
 }
 
+#: Functions that users call where NumPy calls the reduction of another function.
+_REDUCTIONS: dict[np.ufunc, str] = {np.add: "sum", np.multiply: "prod", np.maximum: "max", np.minimum: "min", np.logical_and: "all", np.logical_or: "any"}
+
+#: Options of NumPy functions, with their values if they are not given.
+_DEFAULTS: dict[str, Any] = {"dtype": None, "where": True, "initial": np._NoValue}
+
 
 def _applied(ufunc: np.ufunc, method: str, inputs: tuple[Any, ...], options: dict[str, Any]) -> Any:
     """Applies a NumPy function to symbols, or to arrays of them."""
+    (into,) = options.pop("out", None) or (None,)
+    if into is not None:
+        # An operation in place, such as ``torque *= 2``.
+        into[...] = _applied(ufunc, method, inputs, options)
+        return into
+    name = _REDUCTIONS.get(ufunc, ufunc.__name__) if method == "reduce" else ufunc.__name__
+    options = {key: value for key, value in options.items() if key not in _DEFAULTS or value is not _DEFAULTS[key]}
     if ufunc is np.matmul and method == "__call__" and not options:
         return _unwrapped(np.matmul(*(np.asarray(one, dtype=object) for one in inputs)))
-    function = _FUNCTIONS.get(ufunc)
-    if function is None or set(options) - {"axis", "keepdims"}:
-        raise TypeError(f"the function cannot use np.{ufunc.__name__} on a symbol: formulas do not have this function")
-
-    def of(*values: Any) -> Symbol:
-        given = [_symbol(value) for value in values]
-        for value, one in zip(values, given):
-            if one is None:
-                raise TypeError(f"the function uses {type(value).__name__} as a number")
-        return function(*given)  # type: ignore[no-any-return]
-
-    if method == "__call__":
-        given = [np.asarray(one, dtype=object) for one in inputs]
-        return _unwrapped(np.frompyfunc(of, len(inputs), 1)(*given))
-    if method == "reduce" and ufunc.nin == 2:
-        rows = np.asarray(inputs[0], dtype=object)
-        axis = options.get("axis", 0)
-        rows = rows.reshape(-1) if axis is None else np.moveaxis(rows, axis, 0)
-        return _unwrapped(reduce(np.frompyfunc(of, 2, 1), rows))
-    raise TypeError(f"the function cannot use np.{ufunc.__name__}.{method} on symbols")
+    if ufunc not in _FUNCTIONS:
+        raise TypeError(f"the function cannot use np.{name} on a symbol: formulas do not have this function")
+    if method == "__call__" and not options:
+        return _elementwise(_FUNCTIONS[ufunc], *inputs)
+    if method == "reduce" and ufunc.nin == 2 and set(options) <= {"axis", "keepdims"}:
+        return _reduced(_FUNCTIONS[ufunc], inputs[0], **{"axis": 0, **options})
+    options_given = f" with {', '.join(options)}" if options else ""
+    raise TypeError(f"the function cannot use np.{name}{'' if method in ('__call__', 'reduce') else f'.{method}'}{options_given} on symbols")
 
 
-def _unwrapped(found: Any) -> Any:
-    return array(found) if isinstance(found, np.ndarray) and found.ndim else found.item() if isinstance(found, np.ndarray) else found
+def _elementwise(function: Callable[..., Any], *inputs: Any) -> Any:
+    """Applies a function of symbols to the elements of arrays, which are broadcast."""
+
+    def of(*values: Any) -> Any:
+        return function(*(_number(value) for value in values))
+
+    return _unwrapped(np.frompyfunc(of, len(inputs), 1)(*(np.asarray(one, dtype=object) for one in inputs)))
+
+
+def _number(value: Any) -> Symbol:
+    one = symbol_of(value)
+    if one is None:
+        raise TypeError(f"the function uses {type(value).__name__} as a number")
+    return one
+
+
+def _reduced(function: Callable[..., Any], given: Any, axis: Any = None, keepdims: bool = False) -> Any:
+    """Joins the elements along axes by a function of two symbols."""
+    values = np.asarray(given, dtype=object)
+    along = tuple(range(values.ndim)) if axis is None else tuple(k % values.ndim for k in np.atleast_1d(axis).tolist())
+    others = [k for k in range(values.ndim) if k not in along]
+    rows = values.transpose(*along, *others).reshape(-1, *(values.shape[k] for k in others))
+    found = reduce(lambda a, b: np.asarray(_elementwise(function, a, b), dtype=object), rows)
+    return _unwrapped(np.expand_dims(np.asarray(found, dtype=object), along if keepdims else ()))
+
+
+def _mean(given: Any, axis: Any = None, keepdims: bool = False) -> Any:
+    total = _reduced(_FUNCTIONS[np.add], given, axis, keepdims)
+    return total / (np.size(given) / np.size(total))
+
+
+def _clip(a: Any, a_min: Any = None, a_max: Any = None, *, min: Any = None, max: Any = None) -> Any:
+    low, high = a_min if a_min is not None else min, a_max if a_max is not None else max
+    if low is not None and high is not None:
+        return _elementwise(_named("clip"), a, low, high)
+    if low is not None:
+        return np.maximum(a, low)
+    return a if high is None else np.minimum(a, high)
+
+
+#: Maximum number of points in a table of np.interp: a formula computes all intervals and chooses
+#: one, so with more points it is slower than a call of the function.
+_MOST_POINTS = 200
+
+
+def _interp(x: Any, xp: npt.ArrayLike, fp: npt.ArrayLike, left: Any = None, right: Any = None) -> Any:
+    """Interpolates linearly in a table, by a choice between its intervals."""
+    places, values = _arrays.numbers("xp of np.interp", xp, ("n",)), _arrays.numbers("fp of np.interp", fp, ("n",))
+    if len(places) == 0 or len(places) != len(values):
+        raise PolhodeError(f"xp and fp of np.interp must have one length of at least 1, not {len(places)} and {len(values)}")
+    _arrays.refuse("xp of np.interp", places, np.diff(places, prepend=places[0]) < 0.0, "at least the one before it")
+    if len(places) > _MOST_POINTS:
+        raise PolhodeError(f"np.interp has a table of {len(places)} points, and a formula chooses between at most {_MOST_POINTS}", TOO_LONG)
+
+    def of(at: Symbol) -> Symbol:
+        found = _number(values[-1])
+        for k in range(len(places) - 2, -1, -1):
+            if places[k] < places[k + 1]:
+                slope = (values[k + 1] - values[k]) / (places[k + 1] - places[k])
+                found = call("if", at < places[k + 1], values[k] + slope * (at - places[k]), found)
+        found = call("if", at < places[0], _number(values[0] if left is None else left), found)
+        return found if right is None else call("if", at > places[-1], _number(right), found)
+
+    return _elementwise(of, x)
 
 
 def where(condition: Any, then: Any, otherwise: Any) -> Any:
@@ -267,32 +218,79 @@ def where(condition: Any, then: Any, otherwise: Any) -> Any:
     >>> torque(lambda t, omega: where(t < 2.0, 0.3, 0.0) * omega).torque[0]
     'if(t<2,0.3,0)*wx'
     """
-
-    def of(*values: Any) -> Symbol:
-        given = [_symbol(value) for value in values]
-        if any(one is None for one in given):
-            raise TypeError("where takes a condition and two values, numbers or symbols")
-        return _call("if", *given)  # type: ignore[arg-type]
-
-    return _unwrapped(np.frompyfunc(of, 3, 1)(*(np.asarray(one, dtype=object) for one in (condition, then, otherwise))))
+    return _elementwise(_named("if"), condition, then, otherwise)
 
 
-class Attitude:
+#: Symbolic forms of NumPy functions of arrays. Others compute with the elements as objects.
+_OF_ARRAYS: dict[Any, Callable[..., Any]] = {
+    np.where: where,
+    np.sum: lambda a, axis=None, keepdims=False: _reduced(_FUNCTIONS[np.add], a, axis, keepdims),
+    np.prod: lambda a, axis=None, keepdims=False: _reduced(_FUNCTIONS[np.multiply], a, axis, keepdims),
+    np.max: lambda a, axis=None, keepdims=False: _reduced(_FUNCTIONS[np.maximum], a, axis, keepdims),
+    np.min: lambda a, axis=None, keepdims=False: _reduced(_FUNCTIONS[np.minimum], a, axis, keepdims),
+    np.all: lambda a, axis=None, keepdims=False: _reduced(_FUNCTIONS[np.logical_and], a, axis, keepdims),
+    np.any: lambda a, axis=None, keepdims=False: _reduced(_FUNCTIONS[np.logical_or], a, axis, keepdims),
+    np.mean: _mean,
+    np.clip: _clip,
+    np.interp: _interp,
+}
+
+
+def _computed(function: Any, given: tuple[Any, ...], options: dict[str, Any]) -> Any:
+    """Calls a NumPy function of arrays with symbols among its arguments."""
+    symbolic = _OF_ARRAYS.get(function)
+    try:
+        if symbolic is not None:
+            return symbolic(*given, **options)
+        return _unwrapped(function(*(_plain(one) for one in given), **{name: _plain(one) for name, one in options.items()}))
+    except TypeError as error:
+        module = function.__module__.replace("numpy", "np", 1)
+        raise TypeError(f"the function cannot use {module}.{function.__name__} like this on symbols: {error}") from None
+
+
+def _plain(value: Any) -> Any:
+    """Returns symbols as an array of objects, also inside lists."""
+    if isinstance(value, (Symbol, Symbols)):
+        return np.asarray(value, dtype=object)
+    return type(value)([_plain(one) for one in value]) if type(value) in (list, tuple) else value
+
+
+def _unwrapped(found: Any) -> Any:
+    return array(found) if isinstance(found, np.ndarray) and found.ndim else found.item() if isinstance(found, np.ndarray) else found
+
+
+def _method(function: np.ufunc) -> Callable[..., Any]:
+    return lambda *given: function(*given)
+
+
+# NumPy calls these methods for the elements of arrays of objects, which np.array makes.
+for _function in _FUNCTIONS:
+    if not hasattr(Symbol, _function.__name__):
+        setattr(Symbol, _function.__name__, _method(_function))
+Symbol.__array_ufunc__ = lambda self, ufunc, method, *inputs, **options: _applied(ufunc, method, inputs, options)  # type: ignore[attr-defined]
+Symbol.__array_function__ = lambda self, function, types, given, options: _computed(function, given, options)  # type: ignore[attr-defined]
+
+
+class Attitude(Turned):
     """Symbolic attitude. It takes body components to space components."""
+
+    def __init__(self, is_inverse: bool = False) -> None:
+        quaternion = array([Symbol(f"q{name}") for name in "wxyz"])
+        super().__init__(quaternion)
+        self._quaternion = self._conjugate() if is_inverse else quaternion
+        self._is_inverse = is_inverse
+
+    def _joined(self, *parts: Any) -> Symbols:
+        return array(parts)
 
     def as_matrix(self) -> Symbols:
         """Returns the rotation matrix R_space_body (3, 3)."""
-        return array([[Symbol(f"r{row}{column}") for column in (1, 2, 3)] for row in (1, 2, 3)])
+        matrix = array([[Symbol(f"r{row}{column}") for column in (1, 2, 3)] for row in (1, 2, 3)])
+        return matrix.T if self._is_inverse else matrix
 
-    def as_quat(self, *, scalar_first: bool = False) -> Symbols:
-        """Returns the quaternion (4,): x, y, z, w as in SciPy, or w first."""
-        return array([Symbol(f"q{name}") for name in ("wxyz" if scalar_first else "xyzw")])
-
-    def apply(self, vector: npt.ArrayLike, inverse: bool = False) -> Any:
-        """Returns the space components of a vector (3,) in body components; with ``inverse``, the
-        reverse."""
-        matrix = self.as_matrix()
-        return (matrix.T if inverse else matrix) @ np.asarray(vector)
+    def inv(self) -> Attitude:
+        """Returns the inverse rotation, which takes space components to body components."""
+        return Attitude(not self._is_inverse)
 
 
 #: Parts of the state that a function may take, by the names of its parameters.
@@ -325,24 +323,28 @@ def asked(function: Any, *, vectorized: bool = False) -> list[str]:
     return needed
 
 
+def positional(function: Any, names: list[str]) -> Callable[..., Any]:
+    """Returns a function that takes the parts of the state in this order, without names.
+
+    The parameters are looked up here, once, as a call is made at each stage of each step.
+    """
+    kinds = inspect.signature(function).parameters
+    by_name = [name for name in names if kinds[name].kind is inspect.Parameter.KEYWORD_ONLY]
+    if not by_name:
+        called: Callable[..., Any] = function
+        return called
+    first = len(names) - len(by_name)
+    return lambda *given: function(*given[:first], **dict(zip(by_name, given[first:])))
+
+
 def formula_torque(function: Any) -> tuple[str, ...]:
     """Returns the formulas of the three components of a function."""
-    given = {name: _STATE[name]() for name in asked(function)}
-    found = np.asarray(called_with(function, given), dtype=object)
+    names = asked(function)
+    found = np.asarray(positional(function, names)(*(_STATE[name]() for name in names)), dtype=object)
     if found.shape != (3,):
         raise PolhodeError(f"the function must return three components, of shape (3,), not {found.shape}")
-    components = [_symbol(component) for component in found]
+    components = [symbol_of(component) for component in found]
     for component, one in zip(found, components):
         if one is None:
             raise TypeError(f"the function must return numbers or symbols, not {type(component).__name__}")
     return tuple(one.text for one in components if one is not None)
-
-
-def called_with(function: Any, given: dict[str, Any]) -> Any:
-    """Calls a function with the parts of the state that it takes.
-
-    Parameters before a ``/`` are positional.
-    """
-    kinds = inspect.signature(function).parameters
-    first = [value for name, value in given.items() if kinds[name].kind is inspect.Parameter.POSITIONAL_ONLY]
-    return function(*first, **{name: value for name, value in given.items() if kinds[name].kind is not inspect.Parameter.POSITIONAL_ONLY})

@@ -1088,10 +1088,11 @@ def torque(function: Any, *, axes: str = "body", **others: Any) -> FormulaTorque
     The function is called once, with symbols for its parameters that have no default: ``t``, s;
     ``omega`` and ``omega_space``, angular velocity (3,) in body and space axes, rad/s; ``momentum``
     and ``momentum_space``, angular momentum (3,), N·m·s; ``kinetic_energy``, J; and ``attitude``,
-    with ``as_matrix()``, ``as_quat()`` and ``apply(vector, inverse=False)`` as in SciPy's
-    rotations. Operators and NumPy functions of symbols give formulas, which are integrated like
-    built-in torques, also in ensembles. All numbers are in SI units. Use :func:`where` for a
-    choice; a function that branches on a symbol is refused.
+    with ``as_matrix()``, ``as_quat()``, ``as_rotvec()``, ``as_euler(seq, degrees=False)``,
+    ``inv()`` and ``apply(vector, inverse=False)`` as in SciPy's rotations. Operators and NumPy
+    functions of symbols give formulas, which are integrated like built-in torques, also in
+    ensembles. All numbers are in SI units. Use :func:`where` or ``np.where`` for a choice; a
+    function that branches on a symbol is refused.
 
     Parameters
     ----------
@@ -1110,5 +1111,12 @@ def torque(function: Any, *, axes: str = "body", **others: Any) -> FormulaTorque
     ...     return -coefficient * omega * (1 - np.exp(-t / 2.0))
     >>> torque(brake).torque[0]
     '-0.05*wx*(1-exp(-t/2))'
+
+    A controller with saturation, towards the attitude of the space axes:
+
+    >>> def control(omega, attitude):
+    ...     return np.clip(-0.4 * attitude.as_rotvec() - 0.6 * omega, -0.1, 0.1)
+    >>> torque(control).torque[0].startswith("clip(")
+    True
     """
     return FormulaTorque(axes=axes, torque=formula_torque(function), units="SI", **others)

@@ -131,7 +131,7 @@ impl Step {
                 }
             }
             (Instruction::Binary(Binary::Add | Binary::Subtract), &[a, b])
-            | (Instruction::Binary(Binary::Min | Binary::Max | Binary::Hypot), &[a, b]) => {
+            | (Instruction::Binary(Binary::Min | Binary::Max | Binary::Hypot | Binary::Mod), &[a, b]) => {
                 let measured = self.equal(a.measured, b.measured)?;
                 return Ok(Operand { measured, number: None, angle: a.angle.joined(b.angle) });
             }
@@ -151,6 +151,11 @@ impl Step {
                 }
                 self.equal(a.measured, b.measured)?;
                 Measured::PLAIN
+            }
+            (Instruction::Clip, &[a, low, high]) => {
+                let measured = self.equal(a.measured, self.equal(low.measured, high.measured)?)?;
+                let angle = a.angle.joined(low.angle).joined(high.angle);
+                return Ok(Operand { measured, number: None, angle });
             }
             (Instruction::If, &[condition, a, b]) => {
                 self.plain(condition.measured)?;

@@ -9,7 +9,7 @@ pub(crate) struct Function {
     pub op: Instruction,
 }
 
-pub(crate) const FUNCTIONS: [Function; 16] = {
+pub(crate) const FUNCTIONS: [Function; 24] = {
     const fn one(name: &'static str, op: Unary) -> Function {
         Function { name, op: Instruction::Unary(op) }
     }
@@ -26,12 +26,20 @@ pub(crate) const FUNCTIONS: [Function; 16] = {
         one("asin", Unary::Asin),
         one("acos", Unary::Acos),
         one("atan", Unary::Atan),
+        one("sinh", Unary::Sinh),
+        one("cosh", Unary::Cosh),
+        one("tanh", Unary::Tanh),
+        one("log1p", Unary::Log1p),
+        one("expm1", Unary::Expm1),
         one("abs", Unary::Abs),
+        one("floor", Unary::Floor),
         two("atan2", Binary::Atan2),
         two("min", Binary::Min),
         two("max", Binary::Max),
         two("hypot", Binary::Hypot),
         two("pow", Binary::Power),
+        two("mod", Binary::Mod),
+        Function { name: "clip", op: Instruction::Clip },
         Function { name: "if", op: Instruction::If },
     ]
 };

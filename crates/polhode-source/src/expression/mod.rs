@@ -6,8 +6,10 @@
 //! | variables | whatever the place of the formula offers: `x`, `y`, `z` in m for a density |
 //! | arithmetic | `+ - * /` from the left, `^` from the right; `-x^2` is −(x²), `2^-1` is ½ |
 //! | comparison | `< <= > >=`, below all arithmetic: 1 where it holds, else 0; joined by `and`, and below it `or` |
-//! | functions | `sqrt exp log sin cos tan asin acos atan abs`, of two `atan2(y, x) min max hypot pow` |
+//! | functions | `sqrt exp log log1p expm1 sin cos tan asin acos atan sinh cosh tanh abs floor` |
+//! | of several numbers | `atan2(y, x) min max hypot pow mod`, `clip(a, low, high)` |
 //! | choice | `if(condition, then, else)`: *then* where the condition is not 0 |
+//! | local values | `a = x + y; b = a^2; a*b`: only in generated formulas, [`formula_of_state_in_si`] |
 //! | units | `0.2 N m`, `30[deg/s]` where dimensions are checked: [`measured`] |
 //!
 //! Angles are in radians, `log` is the natural logarithm. A text is compiled once into a

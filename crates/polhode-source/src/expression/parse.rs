@@ -7,7 +7,7 @@ use polhode::math::formula::{Binary, Formula, Instruction, Unary};
 
 use super::dimensions::{Measured, Step, measure};
 use super::function::{FUNCTIONS, Function};
-use super::{ExpressionError, ExpressionErrorKind};
+use super::{ExpressionError, ExpressionErrorKind, is_reserved};
 use crate::suggestion::nearest;
 use crate::unit::{self, Dimension};
 
@@ -34,6 +34,13 @@ const LONGEST: usize = 4096;
 /// Compiles a formula with all numbers in SI units.
 pub(crate) fn compile(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
     Parser::new(text, variables, false).read().map(|(formula, _)| formula)
+}
+
+/// Compiles a formula with all numbers in SI units, after definitions of local values:
+/// `a = x + y; b = a^2; a*b`.
+pub(crate) fn compile_with_locals(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
+    let parser = Parser::new(text, variables, false);
+    Parser { locals: Some(Vec::new()), ..parser }.read().map(|(formula, _)| formula)
 }
 
 /// Compiles a formula and checks its dimensions; returns it with the dimension of its value.
@@ -75,18 +82,35 @@ struct Parser<'a> {
     variables: &'a [&'a str],
     /// True if numbers may have units.
     units: bool,
+    /// Names of the local values so far; `None` if there may be none.
+    locals: Option<Vec<String>>,
     steps: Vec<Step>,
     waiting: Vec<Waiting>,
 }
 
 impl<'a> Parser<'a> {
     fn new(text: &str, variables: &'a [&'a str], units: bool) -> Self {
-        Self { rest: text.chars().collect(), at: 0, variables, units, steps: Vec::new(), waiting: Vec::new() }
+        let (steps, waiting) = (Vec::new(), Vec::new());
+        Self { rest: text.chars().collect(), at: 0, variables, units, locals: None, steps, waiting }
     }
 
     /// Parses the whole text; returns the formula, and its instructions with their columns.
     fn read(&mut self) -> Result<(Formula, Vec<Step>), ExpressionError> {
+        while let Some(name) = self.definition()? {
+            self.formula()?;
+            if self.peek().is_none() {
+                return Err(self.expected("; after a local value"));
+            }
+            self.at += 1;
+            self.locals.get_or_insert_default().push(name);
+        }
         self.formula()?;
+        if self.peek().is_some() {
+            return Err(self.expected("an operator or the end"));
+        }
+        for _ in 0..self.locals.as_ref().map_or(0, Vec::len) {
+            self.push(Instruction::EndLocal, 1);
+        }
         let steps = core::mem::take(&mut self.steps);
         let formula = Formula::new(steps.iter().map(|step| step.instruction));
         formula.map(|formula| (formula, steps)).map_err(|_| self.expected("a formula"))
@@ -102,12 +126,36 @@ impl<'a> Parser<'a> {
         self.steps.push(Step { instruction, column, dimension: Dimension::NONE });
     }
 
+    /// Parses the name of a local value and `=`, if they are next.
+    fn definition(&mut self) -> Result<Option<String>, ExpressionError> {
+        if self.locals.is_none() {
+            return Ok(None);
+        }
+        let (start, column) = (self.at, self.column());
+        let name = self.word();
+        self.at += name.chars().count();
+        if name.is_empty() || self.peek() != Some('=') {
+            self.at = start;
+            return Ok(None);
+        }
+        self.at += 1;
+        let is_known = self.locals.iter().flatten().any(|local| *local == name)
+            || self.variables.contains(&name.as_str())
+            || is_reserved(&name);
+        if is_known || name.starts_with(|c: char| c.is_ascii_digit()) {
+            let kind = ExpressionErrorKind::Expected { what: "a new name", found: name };
+            return Err(ExpressionError { kind, column });
+        }
+        Ok(Some(name))
+    }
+
     /// Parses operand, operator, operand, …, operand.
     fn formula(&mut self) -> Result<(), ExpressionError> {
         loop {
             self.operand()?;
             while !self.operator()? {
-                if self.peek().is_none() && self.waiting.is_empty() {
+                let next = self.peek();
+                if self.waiting.is_empty() && (next.is_none() || self.locals.is_some() && next == Some(';')) {
                     return Ok(());
                 }
             }
@@ -157,6 +205,7 @@ impl<'a> Parser<'a> {
             Some(')') => return self.close(),
             Some(',') => return self.comma(),
             None => return self.end(),
+            Some(';') if self.locals.is_some() => return self.end(),
             Some(_) => match self.word().as_str() {
                 "and" => binary(Binary::And, AND),
                 "or" => binary(Binary::Or, OR),
@@ -361,6 +410,8 @@ impl<'a> Parser<'a> {
         }
         if let Some(k) = self.variables.iter().position(|v| *v == name) {
             self.push(Instruction::Variable(k), column);
+        } else if let Some(k) = self.locals.iter().flatten().position(|local| *local == name) {
+            self.push(Instruction::Local(k), column);
         } else if name == "pi" {
             self.push(Instruction::Constant(PI), column);
         } else if FUNCTIONS.iter().any(|f| f.name == name) {

@@ -31,13 +31,26 @@ pub fn formula_of_state(
 
 /// Parses a formula of the same variables with all numbers in SI; dimensions are not checked.
 ///
+/// Programs generate such formulas. Values that are used several times may have names, which are
+/// defined before the result.
+///
+/// ```
+/// use polhode::motion::StateVariables;
+/// use polhode_source::expression::formula_of_state_in_si;
+/// let scaled = formula_of_state_in_si("size = hypot(wx, wy); gain = 2 + size; gain*size/(1 + gain)")?;
+/// let mut state = [0.0; StateVariables::COUNT];
+/// (state[1], state[2]) = (3.0, -4.0);
+/// assert_eq!(scaled.evaluate(&state), 35.0 / 8.0);
+/// # Ok::<(), polhode_source::expression::ExpressionError>(())
+/// ```
+///
 /// # Errors
 /// Same as [`formula_of_state`].
 pub fn formula_of_state_in_si(text: &str) -> Result<Formula, ExpressionError> {
     /// Programs may generate longer formulas than people write.
     const LONGEST: usize = 65_536;
     parse::require_length(text, LONGEST)?;
-    parse::compile(text, &StateVariables::NAMES)
+    parse::compile_with_locals(text, &StateVariables::NAMES)
 }
 
 /// Parses a formula of time `t` alone; the value must have the dimension `expected`.

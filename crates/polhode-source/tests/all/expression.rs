@@ -4,7 +4,8 @@
 use polhode::body::density::{Cubature, DensityField, Solid, mass_properties_of_field};
 use polhode::body::shape::BoxShape;
 use polhode_source::expression::{
-    Expression, ExpressionErrorKind, condition, formula_of_state, formula_of_time, measured,
+    Expression, ExpressionErrorKind, condition, formula_of_state, formula_of_state_in_si, formula_of_time,
+    measured,
 };
 use polhode_source::unit::Dimension;
 
@@ -45,6 +46,10 @@ fn formulas_have_the_values_that_rust_gives_them() {
         ("hypot(x, y) + abs(y)", x.hypot(y) + y.abs()),
         ("min(x, y) - max(y, z)", y - z),
         ("pow(z, x)", z.powf(x)),
+        ("sinh(x) + cosh(y)*tanh(z)", x.sinh() + y.cosh() * z.tanh()),
+        ("log1p(x) - expm1(y)", x.ln_1p() - y.exp_m1()),
+        ("floor(10*y) + mod(y, x)", (10.0 * y).floor() + (y - x * (y / x).floor())),
+        ("clip(z, y, x) + clip(x, y, z)", 2.0 * x),
         ("pow(y, 3)", y * y * y),
         ("if(x < y, 3, 8)", 8.0),
         ("if(x > y, 3, 8)", 3.0),
@@ -111,6 +116,7 @@ fn every_mistake_is_named_with_its_column() {
         ("X + 1", "column 1: unknown variable X", "did you mean x?"),
         ("sin", "column 4: expected ( after a function, found the end of the formula", ""),
         ("sin x", "column 5: expected ( after a function, found \"x\"", ""),
+        ("clip(x, 1)", "column 1: clip takes 3 arguments, not 2", ""),
         ("if(x > 0, 1)", "column 1: if takes 3 arguments, not 2", ""),
         ("2 + atan2(x)", "column 5: atan2 takes 2 arguments, not 1", ""),
         ("sqrt(x, y)", "column 1: sqrt takes 1 argument, not 2", ""),
@@ -151,14 +157,14 @@ fn deep_and_long_texts_cost_memory_in_proportion_and_no_stack() {
 fn no_text_panics() {
     let parts = [
         "x", "y", "7", "1e3", "(", ")", ",", "+", "-", "*", "/", "^", "<", ">=", "if(", "min(", "sqrt(",
-        "pi", " ", ".", "é", "e", "=", "\u{202e}",
+        "pi", " ", ".", "é", "e", "=", "\u{202e}", ";", "z=",
     ];
     let mut state = 9_u64;
     let mut below = |n: usize| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((u128::from(state) * n as u128) >> 64) as usize
     };
-    let mut read = 0;
+    let (mut read, mut with_locals) = (0, 0);
     for _ in 0..100_000 {
         let text: String = (0..=below(9)).map(|_| parts[below(parts.len())]).collect();
         match Expression::parse(&text, &XYZ) {
@@ -168,8 +174,16 @@ fn no_text_panics() {
             }
             Err(error) => assert!(error.column <= text.chars().count() + 1 && !error.to_string().is_empty()),
         }
+        let text = format!("x=0.3;y=t;{text}");
+        match formula_of_state_in_si(&text) {
+            Ok(formula) => {
+                with_locals += 1;
+                let _ = formula.evaluate(&[0.3]);
+            }
+            Err(error) => assert!(error.column <= text.chars().count() + 1 && !error.to_string().is_empty()),
+        }
     }
-    assert!(read > 1000, "{read}");
+    assert!(read > 1000 && with_locals > 1000, "{read} {with_locals}");
 }
 
 #[test]
@@ -197,6 +211,9 @@ fn units_make_si_and_dimensions_are_found() {
         ("hypot(Lx, 0)*wx", 0.3, Dimension::TORQUE),
         ("if(t > 20[s], min(wx, 1[1/s]), 0)", 1.0, Dimension::ANGULAR_VELOCITY),
         ("max(0, -wx)", 0.0, Dimension::ANGULAR_VELOCITY),
+        ("clip(wx, 0, 30[deg/s])", 30_f64.to_radians(), Dimension::ANGULAR_VELOCITY),
+        ("mod(t, 8[s])", 6.0, Dimension::TIME),
+        ("floor(t/8[s])", 3.0, Dimension::NONE),
         ("atan2(wx, wx)*4", std::f64::consts::PI, Dimension::NONE),
         ("wx/t", 0.05, Dimension::ANGULAR_ACCELERATION),
         ("0*wx + 0", 0.0, Dimension::NONE),
@@ -326,4 +343,42 @@ fn and_binds_more_than_or_and_less_than_comparisons() {
     assert_eq!(condition("t > 1 s and t < 3 s", &variables).unwrap().evaluate(&[2.0]), 1.0);
     assert!(matches!(condition("t", &variables).unwrap_err().kind, ExpressionErrorKind::NoCondition));
     assert!(condition("t and 1 < 2", &variables).is_err());
+}
+
+#[test]
+fn only_generated_formulas_have_local_values() {
+    let mut state = [0.0; polhode::motion::StateVariables::COUNT];
+    [state[0], state[1]] = [0.7, -1.3];
+    let text = "size = wx^2 ; ratio=size/(1 + size); if(ratio > 0.9, 0, size*ratio) - t*ratio";
+    let formula = formula_of_state_in_si(text).unwrap();
+    let (size, ratio) = (1.3 * 1.3, 1.3 * 1.3 / (1.0 + 1.3 * 1.3));
+    assert!((formula.evaluate(&state) - (size * ratio - 0.7 * ratio)).abs() < 1e-15);
+    for (text, message) in [
+        ("wx = 2; wx", "column 1: expected a new name, found \"wx\""),
+        ("a = 2; a = 3; a", "column 8: expected a new name, found \"a\""),
+        ("sin = 2; 1", "column 1: expected a new name, found \"sin\""),
+        ("a = 2", "column 6: expected ; after a local value, found the end of the formula"),
+        ("a = 2;", "column 7: expected a number, a name or (, found the end of the formula"),
+        ("a = (2; a", "column 7: expected an operator or ), found \";\""),
+        ("t; wx", "column 2: expected an operator or the end, found \";\""),
+        ("a = b; b = 2; a", "column 5: unknown variable b"),
+    ] {
+        let error = formula_of_state_in_si(text).unwrap_err();
+        assert_eq!(error.to_string(), message, "{text}");
+    }
+    assert!(formula_of_state("a = 2 N m; a", None).is_err());
+}
+
+#[test]
+fn the_book_lists_every_function() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/scenario-torque-formulas.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let (_, listed) = page.split_once("A formula has numbers").unwrap();
+    let (listed, _) = listed.split_once("and these variables").unwrap();
+    let hint = Expression::parse("foo(x)", &XYZ).unwrap_err().hint().unwrap();
+    let names = hint.trim_start_matches("the functions are ").split(';').next().unwrap();
+    let words: Vec<&str> = listed.split(|c: char| !c.is_ascii_alphanumeric()).collect();
+    for name in names.split(", ") {
+        assert!(words.contains(&name), "{name}");
+    }
 }

@@ -48,6 +48,14 @@ pub enum Instruction {
     /// Selects a branch: with condition, then, else on the stack, the result is *then* if the
     /// condition is not 0.
     If,
+    /// Restricts a to the interval from low to high, with a, low, high on the stack: the lesser of
+    /// high and the greater of low and a.
+    Clip,
+    /// Pushes a copy of a value on the stack, given by its index from the bottom: a local value,
+    /// computed once and used several times.
+    Local(usize),
+    /// Removes the value below the top: a local value that is no longer needed.
+    EndLocal,
 }
 
 /// Function of one number.
@@ -65,7 +73,16 @@ pub enum Unary {
     Asin,
     Acos,
     Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    /// Logarithm ln(1 + x), with the relative accuracy of x near 0.
+    Log1p,
+    /// Exponential eˣ − 1, with the relative accuracy of x near 0.
+    Expm1,
     Abs,
+    /// Largest integer that is at most x.
+    Floor,
     /// Power xⁿ for a small integer n, by multiplication.
     Power(i32),
 }
@@ -88,6 +105,8 @@ pub enum Binary {
     Max,
     /// Hypotenuse √(a² + b²).
     Hypot,
+    /// Remainder a − b ⌊a/b⌋: it has the sign of b, and is exact.
+    Mod,
     /// Returns 1 if a < b, else 0.
     Less,
     /// Returns 1 if a ≤ b, else 0.
@@ -106,7 +125,7 @@ pub enum Binary {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FormulaError {
-    /// An instruction needs more operands than the stack has.
+    /// An instruction needs more operands, or another local value, than the stack has.
     MissingOperand {
         /// Index of the instruction, from 0.
         instruction: usize,
@@ -138,6 +157,8 @@ impl Formula {
         let (mut height, mut deepest) = (0_usize, 0);
         for (n, instruction) in instructions.into_iter().enumerate() {
             let below = height.checked_sub(instruction.operands());
+            let is_missing = matches!(instruction, Instruction::Local(k) if k >= height);
+            let below = below.filter(|_| !is_missing);
             height = 1 + below.ok_or(FormulaError::MissingOperand { instruction: n })?;
             deepest = deepest.max(height);
             match (instruction, kept.last()) {
@@ -175,7 +196,8 @@ impl Formula {
     /// Returns true if the value is that of a comparison, or of comparisons joined by *and* and
     /// *or*: 1 or 0.
     pub fn is_condition(&self) -> bool {
-        self.instructions.last().is_some_and(|last| last.is_condition())
+        let mut from_last = self.instructions.iter().rev();
+        from_last.find(|last| **last != Instruction::EndLocal).is_some_and(|last| last.is_condition())
     }
 
     /// Returns the first function that is not smooth (it has a corner or a jump, and therefore no
@@ -237,6 +259,19 @@ impl Formula {
                         *c = if c.is_nan() { *c } else { [a, b][usize::from(*c == 0.0)] };
                     }
                 }
+                Instruction::Clip => {
+                    let (a, limits) = operands.split_at_mut(width);
+                    let (low, high) = limits.split_at(width);
+                    Binary::Max.apply(a, low);
+                    Binary::Min.apply(a, high);
+                }
+                Instruction::Local(k) => {
+                    above[..width].copy_from_slice(&below[k * width..(k + 1) * width]);
+                }
+                Instruction::EndLocal => {
+                    let (local, top) = operands.split_at_mut(width);
+                    local.copy_from_slice(top);
+                }
             }
             height = height + 1 - instruction.operands();
         }
@@ -247,10 +282,10 @@ impl Instruction {
     /// Returns the number of operands that it takes from the stack.
     pub const fn operands(self) -> usize {
         match self {
-            Self::Constant(_) | Self::Variable(_) => 0,
+            Self::Constant(_) | Self::Variable(_) | Self::Local(_) => 0,
             Self::Unary(_) => 1,
-            Self::Binary(_) => 2,
-            Self::If => 3,
+            Self::Binary(_) | Self::EndLocal => 2,
+            Self::If | Self::Clip => 3,
         }
     }
 
@@ -264,6 +299,8 @@ impl Instruction {
     const fn roughness(self) -> Option<&'static str> {
         match self {
             Self::Unary(Unary::Abs) => Some("abs"),
+            Self::Unary(Unary::Floor) => Some("floor"),
+            Self::Binary(Binary::Mod) => Some("mod"),
             Self::Binary(Binary::Min) => Some("min"),
             Self::Binary(Binary::Max) => Some("max"),
             Self::Binary(Binary::Less | Binary::LessOrEqual | Binary::Greater | Binary::GreaterOrEqual) => {
@@ -272,6 +309,7 @@ impl Instruction {
             Self::Binary(Binary::And) => Some("and"),
             Self::Binary(Binary::Or) => Some("or"),
             Self::If => Some("if"),
+            Self::Clip => Some("clip"),
             _ => None,
         }
     }
@@ -298,7 +336,13 @@ impl Unary {
             Self::Asin => each(row, libm::asin),
             Self::Acos => each(row, libm::acos),
             Self::Atan => each(row, libm::atan),
+            Self::Sinh => each(row, libm::sinh),
+            Self::Cosh => each(row, libm::cosh),
+            Self::Tanh => each(row, libm::tanh),
+            Self::Log1p => each(row, libm::log1p),
+            Self::Expm1 => each(row, libm::expm1),
             Self::Abs => each(row, f64::abs),
+            Self::Floor => each(row, f64::floor),
             Self::Power(n) => row.iter_mut().for_each(|x| *x = power(*x, n)),
         }
     }
@@ -328,6 +372,7 @@ impl Binary {
             Self::Min => each(a, |a, b| if a.is_nan() || a < b { a } else { b }),
             Self::Max => each(a, |a, b| if a.is_nan() || a > b { a } else { b }),
             Self::Hypot => each(a, libm::hypot),
+            Self::Mod => each(a, remainder),
             Self::Less => each(a, |a, b| holds(a < b, a, b)),
             Self::LessOrEqual => each(a, |a, b| holds(a <= b, a, b)),
             Self::Greater => each(a, |a, b| holds(a > b, a, b)),
@@ -335,6 +380,18 @@ impl Binary {
             Self::And => each(a, |a, b| holds(a != 0.0 && b != 0.0, a, b)),
             Self::Or => each(a, |a, b| holds(a != 0.0 || b != 0.0, a, b)),
         }
+    }
+}
+
+/// Returns the remainder of a/b with the sign of b; NaN for b = 0.
+fn remainder(a: f64, b: f64) -> f64 {
+    let rest = libm::fmod(a, b);
+    if rest == 0.0 {
+        0.0_f64.copysign(b)
+    } else if (rest < 0.0) == (b < 0.0) {
+        rest
+    } else {
+        rest + b
     }
 }
 
@@ -380,6 +437,9 @@ mod tests {
         assert_eq!(Formula::new([I::Constant(1.0), I::Variable(0)]), Err(FormulaError::Left { count: 2 }));
         let short = [I::Constant(1.0), I::Binary(Binary::Add)];
         assert_eq!(Formula::new(short), Err(FormulaError::MissingOperand { instruction: 1 }));
+        for short in [[I::Local(0), I::Constant(1.0)], [I::Constant(1.0), I::Local(1)]] {
+            assert!(matches!(Formula::new(short), Err(FormulaError::MissingOperand { .. })));
+        }
         let short = [I::Constant(1.0), I::Constant(1.0), I::If];
         assert_eq!(Formula::new(short), Err(FormulaError::MissingOperand { instruction: 2 }));
     }
@@ -403,6 +463,65 @@ mod tests {
         let mut many = [0.0; 3];
         formula.evaluate_all(&[[x]; 3], &mut many);
         assert_eq!(many, [expected; 3]);
+    }
+
+    #[test]
+    fn new_functions_have_the_values_of_their_definitions() {
+        for x in [-1.7, -0.3, 1e-9, 0.4, 2.3_f64] {
+            let near = |unary: Unary, y: f64| {
+                let got = unary.of(x);
+                assert!((got - y).abs() <= 4e-16 * y.abs(), "{unary:?}({x}): {got} {y}");
+            };
+            near(Unary::Sinh, x.sinh());
+            near(Unary::Cosh, x.cosh());
+            near(Unary::Tanh, x.tanh());
+            near(Unary::Expm1, x.exp_m1());
+            near(Unary::Floor, x.floor());
+            if x > -1.0 {
+                near(Unary::Log1p, x.ln_1p());
+            }
+        }
+        for (a, b) in [(7.3, 2.5), (-7.3, 2.5), (7.3, -2.5), (-7.3, -2.5), (0.3, 2.5)] {
+            let want: f64 = a - b * f64::floor(a / b);
+            let got = Binary::Mod.of(a, b);
+            assert!((got - want).abs() < 1e-15 && (got < 0.0) == (b < 0.0), "{a} mod {b}: {got} {want}");
+        }
+        assert_eq!(Binary::Mod.of(1.0, 0.1), 1.0 % 0.1); // exact: 1/0.1 would round to 10
+        assert_eq!(Binary::Mod.of(-5.0, 2.5), 0.0);
+        assert!(Binary::Mod.of(1.0, 0.0).is_nan());
+        use Instruction as I;
+        let clip = [I::Variable(0), I::Constant(-0.5), I::Constant(1.5), I::Clip];
+        let clip = Formula::new(clip).unwrap();
+        let mut values = [0.0; 4];
+        clip.evaluate_all(&[[-3.0], [0.2], [7.0], [f64::NAN]], &mut values);
+        assert_eq!(values[..3], [-0.5, 0.2, 1.5]);
+        assert!(values[3].is_nan());
+        assert_eq!(clip.rough_function(), Some("clip"));
+    }
+
+    #[test]
+    fn a_local_value_is_used_several_times() {
+        use Instruction as I;
+        // a = sin x; b = a + 3; a b − a/b
+        let [add, subtract] = [Binary::Add, Binary::Subtract].map(I::Binary);
+        let [times, over] = [Binary::Multiply, Binary::Divide].map(I::Binary);
+        let mut instructions = vec![I::Variable(0), I::Unary(Unary::Sin), I::Local(0), I::Constant(3.0), add];
+        instructions.extend([I::Local(0), I::Local(1), times, I::Local(0), I::Local(1), over, subtract]);
+        assert_eq!(Formula::new(instructions.clone()), Err(FormulaError::Left { count: 3 }));
+        let formula = Formula::new(instructions.into_iter().chain([I::EndLocal; 2])).unwrap();
+        let want = |x: f64| {
+            let (a, b) = (libm::sin(x), libm::sin(x) + 3.0);
+            a * b - a / b
+        };
+        let mut values = [0.0; 2];
+        formula.evaluate_all(&[[0.7], [-1.9]], &mut values);
+        assert_eq!(values, [want(0.7), want(-1.9)]);
+        assert_eq!(formula.evaluate(&[0.7]), want(0.7));
+        let [value, first, _] = formula.derivatives(0.7);
+        let slope = (want(0.7 + 1e-5) - want(0.7 - 1e-5)) / 2e-5;
+        assert!(value == want(0.7) && (first - slope).abs() < 1e-9);
+        let condition = [I::Variable(0), I::Local(0), I::Constant(1.0), I::Binary(Binary::Less), I::EndLocal];
+        assert!(Formula::new(condition).unwrap().is_condition());
     }
 
     #[test]

@@ -63,6 +63,18 @@ impl Scalar for Jet {
                 let rate = 1.0 / (1.0 + x * x);
                 [f, rate, -2.0 * x * rate * rate]
             }
+            Unary::Sinh => [f, libm::cosh(x), f],
+            Unary::Cosh => [f, libm::sinh(x), f],
+            Unary::Tanh => {
+                let rate = (1.0 - f) * (1.0 + f);
+                [f, rate, -2.0 * f * rate]
+            }
+            Unary::Log1p => {
+                let rate = 1.0 / (1.0 + x);
+                [f, rate, -rate * rate]
+            }
+            Unary::Expm1 => [f, libm::exp(x), libm::exp(x)],
+            Unary::Floor => [f, 0.0, 0.0],
             // At the corner, the right-hand derivative.
             Unary::Abs => return if x < 0.0 { -self } else { self },
             Unary::Power(n) => {
@@ -108,6 +120,12 @@ impl Scalar for Jet {
                 let first = x * a.first + y * b.first;
                 let squares = a.first * a.first + b.first * b.first - first * first;
                 Self { value, first, second: squares / value + x * a.second + y * b.second }
+            }
+            // The quotient ⌊a/b⌋ is constant between jumps.
+            Binary::Mod => {
+                let value = function.of(a.value, b.value);
+                let quotient = libm::round((a.value - value) / b.value);
+                Self { value, ..(a - b.scaled(quotient)) }
             }
             Binary::Min | Binary::Max => {
                 let value = function.of(a.value, b.value);
@@ -261,6 +279,16 @@ impl Formula {
                         _ => then,
                     }
                 }
+                Instruction::Clip => {
+                    let (high, low) = (take(), take());
+                    take().binary(Binary::Max, low).binary(Binary::Min, high)
+                }
+                Instruction::Local(k) => stack.get(k).copied().unwrap_or(nothing),
+                Instruction::EndLocal => {
+                    let top = take();
+                    take();
+                    top
+                }
             };
             stack.push(result);
         }
@@ -323,7 +351,13 @@ mod tests {
             Unary::Asin,
             Unary::Acos,
             Unary::Atan,
+            Unary::Sinh,
+            Unary::Cosh,
+            Unary::Tanh,
+            Unary::Log1p,
+            Unary::Expm1,
             Unary::Abs,
+            Unary::Floor,
             Unary::Power(0),
             Unary::Power(1),
             Unary::Power(5),
@@ -341,6 +375,7 @@ mod tests {
             Binary::Min,
             Binary::Max,
             Binary::Hypot,
+            Binary::Mod,
             Binary::Less,
         ] {
             agrees(&[&a[..], &b, &[I::Binary(function)]].concat());
@@ -349,6 +384,9 @@ mod tests {
         agrees(&[&a[..], &[I::Constant(2.7), I::Binary(Binary::Power)]].concat());
         agrees(&[&[I::Variable(0)][..], &a, &b, &[I::If]].concat());
         agrees(&[&[I::Constant(0.0)][..], &a, &b, &[I::If]].concat());
+        for [low, high] in [[-9.0, 9.0], [-9.0, 0.1], [0.9, 9.0]] {
+            agrees(&[&a[..], &[I::Constant(low), I::Constant(high), I::Clip]].concat());
+        }
     }
 
     #[test]

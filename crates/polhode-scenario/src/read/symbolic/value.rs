@@ -98,7 +98,9 @@ impl<'a> Letters<'a> {
                     let b = stack.pop()?;
                     self.binary(function, &stack.pop()?, &b)?
                 }
-                Instruction::If => return None,
+                Instruction::If | Instruction::Clip | Instruction::Local(_) | Instruction::EndLocal => {
+                    return None;
+                }
             };
             stack.push(value);
         }

@@ -69,6 +69,8 @@ pub(in crate::motion) fn evaluate<I: LawInput>(formula: &Formula, at: &I) -> I::
             (Instruction::Variable(k), _) => StateVariables::variable(k, at),
             (Instruction::Unary(function), &[a]) => a.unary(function),
             (Instruction::Binary(function), &[a, b]) => a.binary(function, b),
+            (Instruction::Local(k), _) => stack.get(k).copied().unwrap_or_else(|| at.number(f64::NAN)),
+            (Instruction::EndLocal, &[_, top]) => top,
             // Instructions with branches are evaluated in numeric states only.
             _ => at.number(f64::NAN),
         });

@@ -227,6 +227,27 @@ impl Graph {
             Unary::Negate => self.number(Negate(a)),
             Unary::Sqrt => self.number(Power(a, 0.5_f64.to_bits())),
             Unary::Power(n) => self.whole_power(a, n),
+            // sinh' = cosh, cosh' = sinh
+            Unary::Sinh => self.hyperbolic(a),
+            Unary::Cosh => self.hyperbolic(a) + 1,
+            Unary::Tanh => {
+                // the factor 1 − tanh² follows the hyperbolic tangent
+                let one = self.constant(1.0);
+                let by = self.counts[0] + 2;
+                self.integral_by(function, a, by, |graph, tanh| {
+                    graph.push(Operation::Scalar(Multiply(tanh, tanh)));
+                    graph.push(Operation::Scalar(Subtract(one, tanh + 1)));
+                })
+            }
+            Unary::Expm1 => {
+                let by = self.unary(Unary::Exp, a);
+                self.integral_by(function, a, by, |_, _| {})
+            }
+            Unary::Log1p => {
+                let one = self.constant(1.0);
+                let over = self.number(Add(one, a));
+                self.number(IntegralOver { start: function, of: a, over })
+            }
             // exp' = exp: the integrand factor is the function itself
             Unary::Exp => self.integral_by(function, a, next, |_, _| {}),
             Unary::Sin => self.sine_and_cosine(a),
@@ -255,7 +276,7 @@ impl Graph {
                 let over = if function == Unary::Asin { root } else { self.number(Negate(root)) };
                 self.number(IntegralOver { start: function, of: a, over })
             }
-            Unary::Abs => self.number(ScalarOperation::Rough),
+            Unary::Abs | Unary::Floor => self.number(ScalarOperation::Rough),
         }
     }
 
@@ -318,6 +339,15 @@ impl Graph {
             let cosine = ScalarOperation::IntegralBy { start: Unary::Cos, of: a, by: sine + 2 };
             graph.push(Operation::Scalar(cosine));
             graph.push(Operation::Scalar(ScalarOperation::Negate(sine)));
+        })
+    }
+
+    /// Returns the place of the hyperbolic sine. The hyperbolic cosine follows it.
+    fn hyperbolic(&mut self, a: usize) -> usize {
+        let by = self.counts[0] + 1;
+        self.integral_by(Unary::Sinh, a, by, |graph, sinh| {
+            let cosh = ScalarOperation::IntegralBy { start: Unary::Cosh, of: a, by: sinh };
+            graph.push(Operation::Scalar(cosh));
         })
     }
 

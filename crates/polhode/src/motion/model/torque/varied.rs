@@ -107,12 +107,17 @@ impl Scalar for VariedNumber<'_> {
             Unary::Asin => self.chain(value, |slope| slope / ((one() - x) * (one() + x)).sqrt()),
             Unary::Acos => self.chain(value, |slope| -(slope / ((one() - x) * (one() + x)).sqrt())),
             Unary::Atan => self.chain(value, |slope| slope / (one() + x * x)),
+            Unary::Sinh => self.chain(value, |slope| slope * x.unary(Unary::Cosh)),
+            Unary::Cosh => self.chain(value, |slope| slope * x.unary(Unary::Sinh)),
+            Unary::Tanh => self.chain(value, |slope| slope * (one() - value * value)),
+            Unary::Log1p => self.chain(value, |slope| slope / (one() + x)),
+            Unary::Expm1 => self.chain(value, |slope| slope * x.unary(Unary::Exp)),
             Unary::Power(0) => Self { value, slope: None },
             Unary::Power(n) => {
                 self.chain(value, |slope| slope * x.unary(Unary::Power(n - 1)).scaled(f64::from(n)))
             }
             // The value has no series, so its derivative has none either.
-            Unary::Abs => self.chain(value, |_| value),
+            Unary::Abs | Unary::Floor => self.chain(value, |_| value),
         }
     }
 
@@ -149,6 +154,7 @@ impl Scalar for VariedNumber<'_> {
             // These have no series, so their derivatives have none either.
             Binary::Min
             | Binary::Max
+            | Binary::Mod
             | Binary::Less
             | Binary::LessOrEqual
             | Binary::Greater

@@ -705,10 +705,29 @@ mod tests {
 
     #[test]
     fn every_function_has_the_series_of_its_values() {
-        use Unary::{Acos, Asin, Atan, Cos, Exp, Log, Negate, Power, Sin, Sqrt, Tan};
+        use Unary::{Acos, Asin, Atan, Cos, Cosh, Exp, Expm1, Log, Log1p, Negate, Power, Sin, Sinh};
+        use Unary::{Sqrt, Tan, Tanh};
         let mut formulas = Vec::new();
-        for unary in [Negate, Sqrt, Exp, Log, Sin, Cos, Tan, Asin, Acos, Atan, Power(3), Power(-2), Power(0)]
-        {
+        for unary in [
+            Negate,
+            Sqrt,
+            Exp,
+            Log,
+            Sin,
+            Cos,
+            Tan,
+            Asin,
+            Acos,
+            Atan,
+            Sinh,
+            Cosh,
+            Tanh,
+            Log1p,
+            Expm1,
+            Power(3),
+            Power(-2),
+            Power(0),
+        ] {
             let of_t = quadratic().into_iter().chain([Instruction::Unary(unary)]);
             formulas.push((format!("{unary:?}"), Formula::new(of_t).unwrap()));
         }

@@ -19,6 +19,7 @@ use crate::error::{Raise, raised_by, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::Watch;
 use crate::scenario::{self, has_raised, heard};
+use crate::threads::available_threads;
 
 /// Default tolerance of a run.
 const TOLERANCE: f64 = 1e-13;
@@ -84,14 +85,32 @@ impl PyEnsemble {
                 body(mass, center, tensor).map_err(|error| refused_member(k, &error, error.hint()))
             };
             let each = tensors.iter().zip(omega).zip(attitude).enumerate();
+            let mut last: Option<(usize, Rotor)> = None;
             let members = each.map(|(k, ((tensor, omega), wxyz))| {
-                let (body, shared) = (body(k, tensor)?, of_member(k)?);
-                let pivot = pivots.and_then(|pivots| pivots.get(k)).map(|pivot| Position::from_array(*pivot));
-                let rotor = match pivot.or(shared.actions.pivot()) {
-                    None => Rotor::free(&body),
-                    Some(_) if known.is_none() => return Err(massless()),
-                    Some(pivot) => Rotor::pivoted(&body, pivot),
+                let shared = of_member(k)?;
+                let pivot = |k: usize| {
+                    let pivot =
+                        pivots.and_then(|pivots| pivots.get(k)).map(|pivot| Position::from_array(*pivot));
+                    PyResult::Ok(pivot.or(of_member(k)?.actions.pivot()))
                 };
+                let mass = |k: usize| known.map(|(masses, centers)| (masses.get(k), centers.get(k)));
+                // Members often share a body, and its principal axes are known then.
+                let is_same = |other: usize| {
+                    PyResult::Ok(
+                        tensors.get(other) == Some(tensor)
+                            && mass(other) == mass(k)
+                            && pivot(other)? == pivot(k)?,
+                    )
+                };
+                let rotor = match last.take() {
+                    Some((other, rotor)) if is_same(other)? => rotor,
+                    _ => match (body(k, tensor)?, pivot(k)?) {
+                        (body, None) => Rotor::free(&body),
+                        (_, Some(_)) if known.is_none() => return Err(massless()),
+                        (body, Some(pivot)) => Rotor::pivoted(&body, pivot),
+                    },
+                };
+                last = Some((k, rotor.clone()));
                 let attitude =
                     Attitude::from_quaternion(*wxyz).map_err(|error| refused_member(k, &error, None))?;
                 let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(*omega) };
@@ -151,17 +170,20 @@ impl PyEnsemble {
     }
 
     /// Computes all members at all times on `threads` threads, each by its best method, at
-    /// `tolerance`.
+    /// `tolerance`. Without a number, these are as many as the process may use.
     fn at<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
-        threads: usize,
+        threads: Option<usize>,
         tolerance: f64,
     ) -> PyResult<States<'py>> {
         let times = numbers(&times)?;
         let Functions { raised, is_called, .. } = &self.functions;
-        let threads = NonZero::new(if *is_called { 1 } else { threads }).unwrap_or(NonZero::<usize>::MIN);
+        // The system needs longer to count its processors than a body to move.
+        let can_share = !*is_called && self.ensemble.most_threads() > 1;
+        let threads = if can_share { threads.unwrap_or_else(available_threads) } else { 1 };
+        let threads = NonZero::new(threads).unwrap_or(NonZero::<usize>::MIN);
         let (mut watch, shape) = (Watch::new(), [self.ensemble.len(), times.len(), 8]);
         room::<[f64; 8]>(
             &format!("the states of {} members at {} times", shape[0], shape[1]),

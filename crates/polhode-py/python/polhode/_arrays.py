@@ -41,12 +41,17 @@ def numbers(name: str, value: object, shape: tuple[int | str, ...]) -> Floats:
     Traceback (most recent call last):
     polhode.PolhodeError: omega[1] = nan must be finite
     """
-    array = real(name, value, "real numbers" if shape else "a real number")
+    if len(shape) == 1 and type(value) in (list, tuple) and all(type(x) is float and math.isfinite(x) for x in value):
+        array = np.array(value)
+    else:
+        array = real(name, value, "real numbers" if shape else "a real number")
     if len(array.shape) != len(shape) or any(
         isinstance(wanted, int) and found != wanted for found, wanted in zip(array.shape, shape)
     ):
         raise PolhodeError(f"{name} must {_having(shape)}, not {array.shape}")
-    refuse(name, array, ~np.isfinite(array), "finite")
+    is_finite = np.isfinite(array)
+    if not is_finite.all():
+        refuse(name, array, ~is_finite, "finite")
     return array
 
 

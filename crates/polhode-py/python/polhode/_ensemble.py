@@ -214,7 +214,8 @@ class Ensemble:
         times
             Times (t,), s, ascending, none before the start.
         threads
-            Number of threads; the default is all processors available to this process.
+            Number of threads; the default is all processors available to this process, where the
+            work is worth it.
         tolerance
             Relative error tolerance per step, for members that are integrated.
 
@@ -231,7 +232,7 @@ class Ensemble:
         asked = _arrays.numbers("times", times, ("t",))
         rows, failures, stops, happened = self._native.at(
             asked,
-            _native.available_threads() if threads is None else _arrays.count("threads", threads),
+            None if threads is None else _arrays.count("threads", threads),
             _arrays.positive("tolerance", tolerance),
         )
         found = [(member, EventOccurrence(name, time, rising, tuple(omega), tuple(wxyz))) for member, name, time, rising, omega, wxyz in happened]

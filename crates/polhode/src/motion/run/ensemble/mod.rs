@@ -26,6 +26,9 @@ pub use member::{Member, MemberCrossing, MemberFailure, MemberStop};
 pub use outcome::EnsembleOutcome;
 use workers::Workers;
 
+/// Up to this number, states of known closed forms are computed on one thread.
+const FEW_STATES: usize = 2048;
+
 /// States of the members of an ensemble at given times.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EnsembleStates {
@@ -147,6 +150,11 @@ impl Ensemble {
         self.members.is_empty()
     }
 
+    /// Returns the largest number of threads that can share the work.
+    pub const fn most_threads(&self) -> usize {
+        self.members.len().div_ceil(workers::PORTION)
+    }
+
     /// Computes every member at each of the times (s, ascending, none before a start) on `threads`
     /// threads.
     ///
@@ -218,6 +226,10 @@ impl Ensemble {
         }
         let again = method == Method::Auto && self.asked.set(()).is_err();
         let closed = if again { self.closed.as_slice() } else { &[] };
+        // A thread takes longer to start than these states.
+        let is_short =
+            again && states.len() <= FEW_STATES && self.members.iter().all(|it| it.torques.is_empty());
+        let threads = if is_short { NonZero::<usize>::MIN } else { threads };
         Workers::new(threads).fill((&self.members, closed), times.len(), states, progress, &|portion| {
             advance::compute(portion, times, tolerance, method);
         })

@@ -13,7 +13,7 @@ use crate::motion::model::state::State;
 
 /// Number of members in a portion: enough to fill SIMD vectors with members of a kind, and a short
 /// wait at the end.
-const PORTION: usize = 64;
+pub(super) const PORTION: usize = 64;
 
 /// Number of threads, including the calling thread.
 pub(super) struct Workers {

@@ -23,6 +23,7 @@ mod explain;
 mod files;
 mod finding;
 mod free_motion;
+mod free_motions;
 mod function;
 #[cfg(feature = "identify")]
 mod identify;
@@ -81,6 +82,8 @@ mod _native {
     use crate::files::{cad_file, molecule_file, particle_file, scenario_file, voxel_file};
     #[pymodule_export]
     use crate::free_motion::PyFreeMotion;
+    #[pymodule_export]
+    use crate::free_motions::free_motions;
     #[cfg(feature = "identify")]
     #[pymodule_export]
     use crate::identify::{find_flights, identify_flights, identify_plan, identify_wrenches};
@@ -112,7 +115,7 @@ mod _native {
     #[pymodule_export]
     use crate::rotation::{quaternion_of_text, quaternions_of_matrices};
     #[pymodule_export]
-    use crate::scenario::{check_scenario, scenario_tables};
+    use crate::scenario::{PyScenario, scenario_tables};
     #[pymodule_export]
     use crate::shape::shape;
     #[pymodule_export]

@@ -10,7 +10,7 @@ use polhode::motion::{
 };
 use polhode_document::SourceInfo;
 use polhode_document::VERSION;
-use polhode_scenario::read::exact;
+use polhode_scenario::read::{ScenarioFile, exact};
 use polhode_scenario::report::{
     MotionReport, PageInput, PageSubject, explain_motion, has_triangles, page_data, page_data_within, page_of,
 };
@@ -24,7 +24,8 @@ use crate::finding::{Remark, remarks};
 use crate::interrupt::watched;
 use crate::required::columns;
 use crate::scenario::{
-    self, PythonMeasure, PythonTorque, Raised, has_raised, heard, with_functions, with_measures,
+    self, PythonMeasure, PythonTorque, Raised, ScenarioSource, has_raised, heard, with_functions,
+    with_measures,
 };
 
 /// Title of the page of a scenario without a title.
@@ -49,7 +50,7 @@ pub(crate) struct PyMotion {
 /// Event: name, time in s, true if its measure was rising, ω and attitude.
 type Happened = (String, f64, bool, [f64; 3], [f64; 4]);
 
-/// Computes the motion of a scenario from a file or a text. Paths in a text are relative to `path`.
+/// Computes the motion of a scenario.
 /// `times` replace those of its run. `derivatives` lists the keys of torque parameters; if given,
 /// the derivatives with respect to the initial state, the inertia and these parameters are
 /// computed. Functions in `own` replace torques and event measures of the scenario.
@@ -59,14 +60,13 @@ type Happened = (String, f64, bool, [f64; 3], [f64; 4]);
 #[pyfunction]
 pub(crate) fn simulate(
     py: Python<'_>,
-    path: PathBuf,
-    text: Option<String>,
+    source: ScenarioSource<'_>,
     times: Option<PyReadonlyArray1<'_, f64>>,
     error: &str,
     derivatives: Option<Vec<String>>,
     own: (Vec<PythonTorque>, Vec<PythonMeasure>),
 ) -> PyResult<PyMotion> {
-    let mut file = py.detach(|| scenario::read(path.clone(), text)).map_err(Raise::raise)?;
+    let mut file = source.read(py)?;
     let raised = Raised::default();
     file.scenario = with_functions(file.scenario, own.0, &raised)?;
     file.scenario = with_measures(file.scenario, own.1, &raised)?;
@@ -76,7 +76,7 @@ pub(crate) fn simulate(
     let by = derivatives.as_ref().map(|keys| parameters(keys, file.scenario.torques())).transpose()?;
     let Some(motion) = computed(py, &file.scenario, error, &raised)? else {
         return Err(refused(
-            format!("{} has no [run] section, which sets the simulated time", path.display()),
+            format!("{} has no [run] section, which sets the simulated time", file.path.display()),
             Some("give times, or write [run] with duration = \"10 s\" and samples = 1001"),
         ));
     };
@@ -87,8 +87,8 @@ pub(crate) fn simulate(
         None => None,
     };
     let derivatives = derived.transpose().map_err(placed)?.zip(derivatives);
-    let scenario = file.scenario;
-    Ok(PyMotion { path, text: file.text, trajectory, scenario, derivatives, raised, is_continued: false })
+    let ScenarioFile { scenario, path, text, .. } = file;
+    Ok(PyMotion { path, text, trajectory, scenario, derivatives, raised, is_continued: false })
 }
 
 /// Computes the motion of a scenario with the error estimate selected by `error`; `None` without a

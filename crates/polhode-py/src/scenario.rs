@@ -26,11 +26,42 @@ pub(crate) fn scenario_tables(py: Python<'_>, path: PathBuf, text: Option<String
     serde_json::to_string(&tables).map_err(|error| no_json(&error))
 }
 
-/// Returns the findings on the scenario of a text. Paths in it are relative to `path`.
-#[pyfunction]
-pub(crate) fn check_scenario(py: Python<'_>, path: PathBuf, text: String) -> PyResult<Vec<Remark>> {
-    let file = py.detach(|| read(path, Some(text))).map_err(Raise::raise)?;
-    Ok(remarks(file.scenario.findings()))
+/// Scenario that was read once, for several computations.
+#[pyclass(frozen, name = "ReadScenario", module = "polhode._native")]
+#[derive(Debug)]
+pub(crate) struct PyScenario(ScenarioFile);
+
+#[pymethods]
+impl PyScenario {
+    /// Reads the scenario of a text. Paths in it are relative to `path`.
+    #[new]
+    fn new(py: Python<'_>, path: PathBuf, text: String) -> PyResult<Self> {
+        py.detach(|| read(path, Some(text))).map(Self).map_err(Raise::raise)
+    }
+
+    /// Findings: code, severity, message, place.
+    #[getter]
+    fn findings(&self) -> Vec<Remark> {
+        remarks(self.0.scenario.findings())
+    }
+}
+
+/// Scenario that is known already, or the path and the text of one. Without a text, the path is
+/// that of a file.
+#[derive(FromPyObject)]
+pub(crate) enum ScenarioSource<'py> {
+    Known(PyRef<'py, PyScenario>),
+    File(PathBuf, Option<String>),
+}
+
+impl ScenarioSource<'_> {
+    /// Reads the scenario, if it is not known.
+    pub(crate) fn read(self, py: Python<'_>) -> PyResult<ScenarioFile> {
+        match self {
+            Self::Known(known) => Ok(known.0.clone()),
+            Self::File(path, text) => py.detach(|| read(path, text)).map_err(Raise::raise),
+        }
+    }
 }
 
 /// Reads a scenario from a file or a text.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import _thread
 import json
+import pickle
 import threading
 from pathlib import Path
 
@@ -182,8 +183,46 @@ def test_a_motion_knows_how_far_it_may_be_off() -> None:
         assert 1.2e-9 < error.attitude[-1] < 1e-6 and error.attitude[1] < 1e-13
         assert (np.diff(error.attitude) >= 0).all()
     assert thorough.summary["error"]["effort"] == "thorough" and cheap.summary["error"]["effort"] == "cheap"
-    with pytest.raises(polhode.PolhodeError, match="error = 'good' must be one of auto, cheap, thorough"):
+    with pytest.raises(polhode.PolhodeError, match="error = 'good' must be one of auto, cheap, thorough, none"):
         polhode.simulate(CHAOTIC, error="good")
+
+
+def test_without_an_estimate_the_motion_is_the_same() -> None:
+    body = polhode.MassProperties(mass=2.0, inertia=[[3.1, -0.4, 0.3], [-0.4, 4.2, -0.2], [0.3, -0.2, 5.3]])
+    drag = polhode.scenario.Drag(law="linear", coefficient=0.2)
+    start, run = polhode.scenario.Start(omega=[0.3, 0.5, 0.9]), polhode.scenario.Run(duration=3.0, samples=4)
+    scenario = polhode.Scenario(body, start=start, torques=[drag], run=run)
+    plain, estimated = polhode.simulate(scenario, error="none"), polhode.simulate(scenario)
+    assert plain.error is None and estimated.error is not None
+    assert (plain.omega == estimated.omega).all() and (plain.attitude == estimated.attitude).all()
+    assert plain.extend(1.0, samples=3, error="none").error is None
+    assert "error" not in str(plain).lower() or "not estimated" in str(plain)
+
+
+def test_the_files_of_a_scenario_are_read_when_it_is_made(tmp_path: Path) -> None:
+    corners = [(0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 3)]
+    faces = [(1, 3, 2), (1, 2, 4), (2, 3, 4), (1, 4, 3)]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {a} {b} {c}" for a, b, c in faces]
+    mesh = tmp_path / "corner.obj"
+    mesh.write_text("\n".join(lines))
+    text = """
+        [[body.part]]
+        name = "corner"
+        mesh = "corner.obj"
+        density = "2 kg/m^3"
+        [start]
+        spin = { body = [0.3, 0.5, 0.9] }
+        [run]
+        duration = "3 s"
+        samples = 3
+    """
+    scenario = polhode.Scenario.from_toml(text, folder=tmp_path)
+    first = polhode.simulate(scenario)
+    mesh.unlink()
+    assert (polhode.simulate(scenario).omega == first.omega).all()
+    # A copy reads the file again.
+    with pytest.raises(polhode.PolhodeError, match="corner.obj"):
+        polhode.simulate(pickle.loads(pickle.dumps(scenario)))
 
 
 def test_a_free_motion_knows_what_its_inputs_are_worth() -> None:

@@ -15,7 +15,7 @@ from typing import Any, Callable, Mapping, NamedTuple, Sequence
 import numpy as np
 import numpy.typing as npt
 
-from . import _arrays, _rotation
+from . import _arrays, _native, _rotation
 from ._arrays import Floats
 from ._error import PolhodeError
 from ._free_motion import FreeMotion
@@ -72,6 +72,9 @@ class Function:
     partials: Mapping[str, str]
     _value: Callable[..., Floats]
     _partials: Callable[..., tuple[Floats, Mapping[str, Callable[[], Floats]]]]
+    #: The value and its partial derivatives for a whole batch (b) of arguments, if they can be
+    #: computed in one call. It returns ``None`` if an element is not valid.
+    _batched: Callable[..., list[Floats] | None] | None = None
 
     def sizes(self, shapes: Sequence[tuple[int, ...]]) -> tuple[tuple[int, ...], dict[str, int]]:
         """Returns the shape of the batch and the length of each axis, for arguments of these
@@ -128,6 +131,12 @@ class Function:
         found = [np.empty(self.output_shape(shapes)), *(np.empty(self.partial_shape(name, shapes)) for name in by)]
         own = [array.shape[array.ndim - len(letters) :] for array, letters in zip(arrays, self.arguments.values())]
         each = [np.broadcast_to(array, batch + shape) for array, shape in zip(arrays, own)]
+        if self._batched is not None and batch and all(array.size for array in each):
+            given = [np.ascontiguousarray(array, np.float64).reshape(-1, *shape) for array, shape in zip(each, own)]
+            together = self._batched(by, *given)
+            if together is not None:
+                return [part.reshape(place.shape) for part, place in zip(together, found)]
+        # One by one, also to find the element that is not valid.
         for index in np.ndindex(batch):
             one = [array[index] for array in each]
             try:
@@ -173,28 +182,52 @@ def _motion_partials(
     inertia: Floats, attitude: Floats, omega: Floats, times: Floats
 ) -> tuple[Floats, Mapping[str, Callable[[], Floats]]]:
     motion = _motion(inertia, attitude, omega)
-    value = _states(motion, times)
-    derivatives = motion.derivatives(times)
-    quaternions, rates = value[:, :4], value[:, 4:]
-    # Maps from θ and ω to q and ω, and from q(0) to θ(0). A change of the length of q(0) does not
-    # change θ(0).
-    outward = np.zeros((len(value), 7, 6))
-    outward[:, :4, :3] = 0.5 * half_turn(quaternions)
-    outward[:, 4:, 3:] = np.eye(3)
-    start = np.asarray(attitude, np.float64)
-    inward = 2.0 * half_turn(start / np.linalg.norm(start)).T / np.linalg.norm(start)
-    by_start = outward @ derivatives.by_start
+    found = motion.derivatives(times)
+    value = np.hstack([found.attitude, found.omega])
+    start = np.asarray(attitude, np.float64), np.asarray(inertia, np.float64)
+    return value, _partials_of(*start, value, found.by_start, found.by_inertia)
+
+
+def _motions(by: Sequence[str], inertia: Floats, attitude: Floats, omega: Floats, times: Floats) -> list[Floats] | None:
+    """Computes free motions of a batch (b) in one call; ``None`` if one of them is not valid."""
+    tensors = _arrays.symmetric("inertia", inertia)
+    found = _native.free_motions(tensors.reshape(-1, 9), attitude, omega, times, bool(set(by) - {"times"}))
+    if found is None:
+        return None
+    value, derivatives = found
+    partials = _partials_of(attitude, tensors, value, *derivatives)
+    return [value, *(partials[name]() for name in by)]
+
+
+def _partials_of(
+    attitude: Floats, inertia: Floats, value: Floats, by_start: Floats, by_inertia: Floats
+) -> Mapping[str, Callable[[], Floats]]:
+    """Returns the partial derivatives of states (…, n, 7) from those of θ and ω. Leading axes are a
+    batch."""
+    quaternions, rates = value[..., :4], value[..., 4:]
+
+    def outward() -> Floats:
+        # Maps from θ and ω to q and ω.
+        maps = np.zeros((*value.shape, 6))
+        maps[..., :4, :3] = 0.5 * half_turn(quaternions)
+        maps[..., 4:, 3:] = np.eye(3)
+        return maps
+
+    def inward() -> Floats:
+        # A map from q(0) to θ(0). A change of the length of q(0) does not change θ(0).
+        size = np.linalg.norm(attitude, axis=-1)[..., None]
+        return np.asarray((2.0 * half_turn(attitude / size) / size[..., None]).swapaxes(-1, -2)[..., None, :, :])
 
     def by_times() -> Floats:
         # The equations of motion: θ̇ = ω and I ω̇ = I ω × ω.
-        tensor = np.asarray(inertia, np.float64)
-        acceleration = np.linalg.solve(tensor, np.cross(rates @ tensor.T, rates).T).T
-        return np.asarray(np.einsum("nos,ns->no", outward, np.hstack([rates, acceleration])))
+        torque = np.cross(np.einsum("...ij,...nj->...ni", inertia, rates), rates)
+        acceleration = np.linalg.solve(inertia[..., None, :, :], torque[..., None])[..., 0]
+        return np.asarray(np.einsum("...os,...s->...o", outward(), np.concatenate([rates, acceleration], axis=-1)))
 
-    return value, {
-        "inertia": lambda: (outward @ derivatives.by_inertia)[..., _ELEMENTS] * _SHARES,
-        "attitude": lambda: by_start[..., :3] @ inward,
-        "omega": lambda: by_start[..., 3:],
+    return {
+        "inertia": lambda: (outward() @ by_inertia)[..., _ELEMENTS] * _SHARES,
+        "attitude": lambda: (outward() @ by_start[..., :3]) @ inward(),
+        "omega": lambda: outward() @ by_start[..., 3:],
         "times": by_times,
     }
 
@@ -249,6 +282,7 @@ FREE_MOTION = Function(
     partials={"inertia": "noij", "attitude": "noq", "omega": "noi", "times": "no"},
     _value=lambda inertia, attitude, omega, times: _states(_motion(inertia, attitude, omega), times),
     _partials=_motion_partials,
+    _batched=_motions,
 )
 
 #: Mass properties of particles, as ten numbers.

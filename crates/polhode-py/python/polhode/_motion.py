@@ -130,7 +130,7 @@ class Motion(Table):
 
     @property
     def error(self) -> MotionError | None:
-        """Error estimates at each time; ``None`` for a prescribed motion."""
+        """Error estimates at each time; ``None`` for a prescribed motion, and if none was wanted."""
         return self._error
 
     @cached_property
@@ -272,7 +272,7 @@ class Motion(Table):
         """
         further = _arrays.positive("duration", duration)
         count = _arrays.count("samples", samples, 2)
-        error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
+        error = _arrays.choice("error", error, ["auto", "cheap", "thorough", "none"])
         last = float(self._columns["time_s"].values[-1])
         times = last + further * (np.arange(count) / (count - 1))
         if not (np.diff(times) > 0.0).all():
@@ -332,7 +332,7 @@ class Motion(Table):
         if "_native" not in vars(self):
             if self._has_functions:
                 raise PolhodeError("this copy of a motion does not contain the Python functions of its torques or events", "use the original motion")
-            again = _native.simulate(*self._source, self._sampled, "none", None, ([], []))
+            again = _native.simulate(self._source, self._sampled, "none", None, ([], []))
             for times in self._continued:
                 again = again.after(times, "none")
             there = {name: values for name, _, _, values in again.columns()}

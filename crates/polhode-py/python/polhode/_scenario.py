@@ -146,7 +146,7 @@ class Scenario:
         self._one = {name: _section.section(name, value, _ONE[name][1]) for name, value in one.items() if value is not None}
         self._several = {name: _section.sections(name, value, _SEVERAL[name][1]) for name, value in several.items()}
         self._folder = _arrays.path("folder", folder)
-        self._findings = self._checked()
+        self._findings = tuple(findings_of(self._read.findings))
 
     @classmethod
     def from_toml(cls, scenario: str | os.PathLike[str], *, folder: str | os.PathLike[str] | None = None) -> Scenario:
@@ -403,13 +403,20 @@ class Scenario:
         """Path that the file of the scenario would have."""
         return os.path.join(self._folder, "scenario.toml")
 
-    def _checked(self) -> tuple[Finding, ...]:
-        """Checks the scenario with the reader of files, and reports errors in terms of the
-        arguments."""
+    @cached_property
+    def _read(self) -> _native.ReadScenario:
+        """The scenario as the reader of files has it, with the files that it refers to. Errors are
+        reported in terms of the arguments."""
         try:
-            return tuple(findings_of(_native.check_scenario(self._path, self._text())))
+            return _native.ReadScenario(self._path, self._text())
         except PolhodeError as error:
             raise self._placed(error) from None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "_read"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
 
     def _placed(self, error: PolhodeError) -> PolhodeError:
         """Returns an error in the scenario's text as an error of the argument that the text came

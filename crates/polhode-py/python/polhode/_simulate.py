@@ -28,13 +28,15 @@ def simulate(
     ----------
     scenario
         A :class:`Scenario`, a path, or a text. A text is a ``str`` of more than one line, and its
-        paths are relative to the current folder.
+        paths are relative to the current folder. The files of a :class:`Scenario` are read when it
+        is made.
     times
         Times (n,), s, ascending, which replace those of ``[run]``.
     error
         Method of the estimate :attr:`Motion.error`: ``"thorough"`` costs 12 to 20 times as much as
-        the motion, ``"cheap"`` three to seven times; ``"auto"`` is thorough if that is fast, and
-        cheap if a Python function computes a torque or the measure of an event.
+        the motion, ``"cheap"`` three to seven times, and ``"none"`` nothing: the error is then
+        ``None``. ``"auto"`` is thorough if that is fast, and cheap if a Python function computes a
+        torque or the measure of an event.
     derivatives
         Parameters of torques for :attr:`Motion.derivatives`, in addition to the start and the
         inertia tensor. ``"torque[0].factor"`` is a factor of the first torque, equal to 1;
@@ -109,16 +111,17 @@ def simulate(
     """
     functions: list[tuple[int, bool, Called]] = []
     measures: list[tuple[int, bool, Called]] = []
+    source: _native.ReadScenario | tuple[str, str | None]
     if isinstance(scenario, Scenario):
-        path, text, functions, measures = scenario._path, scenario._text(), scenario._functions(), scenario._measures()
+        source, functions, measures = scenario._read, scenario._functions(), scenario._measures()
     elif isinstance(scenario, str) and "\n" in scenario:
-        path, text = "scenario.toml", _arrays.text("scenario", scenario)
+        source = ("scenario.toml", _arrays.text("scenario", scenario))
     else:
-        path, text = _arrays.path("scenario", scenario), None
-    error = _arrays.choice("error", error, ["auto", "cheap", "thorough"])
+        source = (_arrays.path("scenario", scenario), None)
+    error = _arrays.choice("error", error, ["auto", "cheap", "thorough", "none"])
     sampled = None if times is None else _arrays.numbers("times", times, ("n",))
     try:
-        native = _native.simulate(path, text, sampled, error, _keys(derivatives), (functions, measures))
+        native = _native.simulate(source, sampled, error, _keys(derivatives), (functions, measures))
     except PolhodeError as refused:
         if isinstance(scenario, Scenario) and refused.line is not None:
             raise scenario._placed(refused) from None

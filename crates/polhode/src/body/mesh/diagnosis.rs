@@ -8,6 +8,7 @@ use super::layer::Layers;
 use super::overlap::{Meetings, Overlaps};
 use super::patches::{Patches, is_balanced, join};
 use super::sought::Sought;
+use super::star::is_star_shaped;
 use super::threads::Threads;
 use super::tree::Tree;
 use super::weld::{NONE, Welded, is_proper};
@@ -177,8 +178,14 @@ impl Analysis {
         // The same holds for an inconsistent component. A single surface without edges of more than
         // two triangles can only meet itself, which is a remark.
         let is_one = measured.components.len() == 1 && edges.crowded.is_empty();
-        let is_known = sought == Sought::FirstError
-            && (is_one || measured.components.iter().any(|component| !component.role.is_closed()));
+        let is_known = match sought {
+            Sought::FirstError => {
+                is_one || measured.components.iter().any(|component| !component.role.is_closed())
+            }
+            Sought::All => {
+                is_one && measured.collinear.is_empty() && work.goes_on() && is_star_shaped(&welded, &edges)
+            }
+        };
         let tree = Tree::of(&welded, |t| !is_known && has_area(t), threads);
         let windings = Windings { welded: &welded, tree: &tree, patches: &patches, work };
         if !is_known {

@@ -34,6 +34,40 @@ fn exact_side(triangle: [[f64; 3]; 3], p: [f64; 3]) -> f64 {
     -orient3d(a, b, c, coord(p))
 }
 
+/// Plane of a triangle in f64, for quick tests of many points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plane {
+    corner: [f64; 3],
+    normal: [f64; 3],
+    /// Bound of the error of a distance along each axis, relative to that distance.
+    bound: f64,
+}
+
+impl Plane {
+    #[inline(always)]
+    pub(crate) fn of([a, b, c]: &[[f64; 3]; 3]) -> Self {
+        let [bx, by, bz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+        let [cx, cy, cz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+        let ([p, q, r], [u, v, w]) = ([by * cz, bz * cx, bx * cy], [bz * cy, bx * cz, by * cx]);
+        let products = (p.abs() + u.abs()).max(q.abs() + v.abs()).max(r.abs() + w.abs());
+        Self { corner: *a, normal: [p - u, q - v, r - w], bound: SURE_PLANE * products }
+    }
+
+    /// Returns a value with the sign of [`side`] if that sign is certain, otherwise 0.
+    #[inline(always)]
+    pub(crate) fn certain_side(&self, p: &[f64; 3]) -> f64 {
+        let Self { corner: a, normal: n, bound } = self;
+        let [x, y, z] = [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        let side = n[0] * x + n[1] * y + n[2] * z;
+        let error = bound * (x.abs() + y.abs() + z.abs()) + f64::MIN_POSITIVE;
+        if side.abs() > error { side } else { 0.0 }
+    }
+}
+
+/// Error bound of the terms of [`Plane::certain_side`], ε = 2⁻⁵³: a term has three differences, two
+/// products and three sums, so that it is exact to about 8 ε; doubled for the rounding of the bound.
+const SURE_PLANE: f64 = 1.8e-15;
+
 /// Returns a positive value if a, b, p are in counter-clockwise order, and 0 if they are collinear.
 pub(crate) fn turn(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     let coord = |[x, y]: [f64; 2]| Coord { x, y };

@@ -192,14 +192,14 @@ impl Tree {
     }
 
     /// Calls `pair` for every two triangles whose [`Tree::boxes`] intersect and the first of which
-    /// is in one of the leaves, until it breaks. If `alike` (from [`Tree::alike`]) is given, pairs
-    /// with the same value are skipped.
+    /// is in one of the leaves, until it breaks. Its arguments are positions in [`Tree::order`]. If
+    /// `alike` (from [`Tree::alike`]) is given, pairs with the same value are skipped.
     pub(crate) fn pairs(
         &self,
         boxes: &[Bounds],
         alike: Option<&[u32]>,
         leaves: Range<usize>,
-        mut pair: impl FnMut(u32, u32) -> ControlFlow<()>,
+        mut pair: impl FnMut(usize, usize) -> ControlFlow<()>,
     ) {
         let mut waiting = Vec::with_capacity(64);
         for leaf in leaves {
@@ -208,7 +208,7 @@ impl Tree {
             let is_alike = |node: usize| same != NONE && alike.is_some_and(|alike| alike[node] == same);
             for i in own.clone().filter(|_| same == NONE) {
                 for j in i + 1..own.end {
-                    if boxes[i].meets(&boxes[j]) && pair(self.order[i], self.order[j]).is_break() {
+                    if boxes[i].meets(&boxes[j]) && pair(i, j).is_break() {
                         return;
                     }
                 }
@@ -232,7 +232,7 @@ impl Tree {
                 for j in first..(first + LEAF).min(self.order.len()) {
                     if boxes[j].meets(&about) {
                         for i in own.clone() {
-                            if boxes[i].meets(&boxes[j]) && pair(self.order[i], self.order[j]).is_break() {
+                            if boxes[i].meets(&boxes[j]) && pair(i, j).is_break() {
                                 return;
                             }
                         }

@@ -324,7 +324,9 @@ class MassProperties:
 
     def __repr__(self) -> str:
         moments = ", ".join(f"{moment:.6g}" for moment in self.moments)
-        return f"MassProperties(mass={self.mass:.6g}, moments=[{moments}], symmetry={self.symmetry!r})"
+        unchecked = any(finding.code == "mesh.unchecked" for finding in self.findings)
+        remark = "; not checked for self-intersections" if unchecked else ""
+        return f"MassProperties(mass={self.mass:.6g}, moments=[{moments}], symmetry={self.symmetry!r}{remark})"
 
     def __str__(self) -> str:
         return self._native.text()

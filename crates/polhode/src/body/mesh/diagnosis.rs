@@ -77,6 +77,10 @@ pub struct MeshDiagnosis {
     /// it finished. The limit is 300 million plus 2,000 per triangle, unless the caller ended the
     /// search earlier.
     pub undecided: Option<u64>,
+    /// True if the triangles were not searched for intersections, as by
+    /// [`ClosedMesh::unchecked`](crate::body::mesh::ClosedMesh::unchecked). Then `overlaps`,
+    /// `self_overlaps` and `contacts` are empty.
+    pub unsearched: bool,
 }
 
 /// Number of faults of one kind, and the first in the order of the mesh.
@@ -131,7 +135,7 @@ pub struct PairPlace {
 impl MeshDiagnosis {
     /// Diagnoses the mesh, on all threads of the machine.
     pub fn of(mesh: &TriangleMesh) -> Self {
-        Analysis::of(mesh, Sought::All, Threads::of_machine(), &|| true).diagnosis
+        Analysis::of(mesh, Sought::All, Threads::for_triangles(mesh.triangles.len()), &|| true).diagnosis
     }
 
     /// Diagnoses the mesh on at most `threads` threads.
@@ -182,6 +186,7 @@ impl Analysis {
             Sought::FirstError => {
                 is_one || measured.components.iter().any(|component| !component.role.is_closed())
             }
+            Sought::NoIntersections => is_one,
             Sought::All => {
                 is_one && measured.collinear.is_empty() && work.goes_on() && is_star_shaped(&welded, &edges)
             }
@@ -191,7 +196,8 @@ impl Analysis {
         if !is_known {
             measured.nest(&windings, threads);
         }
-        let meetings = if mesh.is_hull || is_known || !work.goes_on() {
+        let is_searched = !mesh.is_hull && !is_known && sought != Sought::NoIntersections;
+        let meetings = if !is_searched || !work.goes_on() {
             // At a vertex of a hull with many faces, the number of pairs is quadratic, and none of
             // them meet elsewhere.
             Meetings::default()
@@ -214,7 +220,8 @@ impl Analysis {
         // The results found before the search stopped depend on the threads.
         let meetings = if undecided.is_some() { Meetings::default() } else { meetings };
         let findings = Findings { welded: &welded, edges: &edges };
-        let diagnosis = MeshDiagnosis { undecided, ..findings.diagnosis(measured, &meetings) };
+        let unsearched = sought == Sought::NoIntersections;
+        let diagnosis = MeshDiagnosis { undecided, unsearched, ..findings.diagnosis(measured, &meetings) };
         Self { welded, patches, edges, meetings, diagnosis }
     }
 }
@@ -258,6 +265,7 @@ impl Findings<'_> {
             contacts: overlaps(welded, &meetings.contacts),
             components: measured.components,
             undecided: None,
+            unsearched: false,
         }
     }
 }

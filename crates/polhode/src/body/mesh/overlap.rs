@@ -264,13 +264,12 @@ impl Search<'_> {
 /// the same side of its plane. Then the triangles do not intersect.
 #[inline(always)]
 fn is_beside(welded: &Welded, plane: &Plane, triangle: u32, other: u32) -> bool {
-    let own = &welded.corners[triangle as usize];
+    let [p, q, r] = welded.corners[triangle as usize];
     let (mut above, mut below) = (true, true);
-    for corner in &welded.corners[other as usize] {
-        if !own.contains(corner) {
-            let side = plane.certain_side(&welded.points[*corner as usize]);
-            (above, below) = (above & (side > 0.0), below & (side < 0.0));
-        }
+    for corner in welded.corners[other as usize] {
+        let shared = (corner == p) | (corner == q) | (corner == r);
+        let side = plane.certain_side(&welded.points[corner as usize]);
+        (above, below) = (above & (shared | (side > 0.0)), below & (shared | (side < 0.0)));
     }
     above | below
 }

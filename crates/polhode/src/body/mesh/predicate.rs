@@ -111,7 +111,7 @@ mod tests {
     fn signs_are_those_of_integers() {
         // Points on and next to an oblique plane, for which f64 alone gives wrong signs.
         let (a, b, c) = ([0.1, 0.2, 0.3], [1.7, 0.1, -0.4], [0.6, 0.9, 0.8]);
-        let (mut unsure, scale) = (0, 2.0_f64.powi(40));
+        let (mut unsure, mut sure, scale) = (0, 0, 2.0_f64.powi(40));
         let grid = |p: [f64; 3]| p.map(|x: f64| (x * scale).round());
         let [a, b, c] = [a, b, c].map(grid);
         for k in 0..1000 {
@@ -122,9 +122,13 @@ mod tests {
             let exact = (y * w - z * v) * p0 + (z * u - x * w) * p1 + (x * v - y * u) * p2;
             assert_eq!(side([a, b, c], p).partial_cmp(&0.0), exact.partial_cmp(&0));
             assert_eq!(side([b, a, c], p).partial_cmp(&0.0), 0.partial_cmp(&exact));
+            let certain = Plane::of(&[a, b, c]).certain_side(&p);
+            assert!(certain == 0.0 || certain.signum() == exact.signum() as f64, "{certain} {exact}");
+            let far = core::array::from_fn(|i| p[i] + 1e-9 * (a[i] - 2.0 * b[i]) + 3e-8 * c[(i + 1) % 3]);
+            sure += usize::from(Plane::of(&[a, b, c]).certain_side(&far) != 0.0);
             unsure += usize::from(exact.abs() < 1 << 90);
         }
-        assert!(unsure > 0);
+        assert!(unsure > 0 && sure > 900, "{sure}");
     }
 
     #[test]

@@ -77,6 +77,8 @@ _PINT = {"kg": "kilogram", "m": "meter", "s": "second", "rad": "radian", "A": "a
 
 def library_of(value: object) -> str | None:
     """Returns the library of a quantity; ``None`` for anything else."""
+    if type(value) is np.ndarray:
+        return None
     for kind in type(value).__mro__:
         name = kind.__module__.partition(".")[0]
         if name in ("pint", "astropy") and name in sys.modules:

@@ -55,7 +55,7 @@ def test_parts_that_overlap_are_united_if_asked() -> None:
         polhode.inertia((vertices, triangles), unit="m", shell=0.01, union=True)
 
 
-def test_a_mesh_may_be_measured_without_a_search_for_intersections() -> None:
+def test_a_mesh_may_be_measured_without_a_search_for_intersections(tmp_path: Path) -> None:
     # A prism over a pentagram, which goes through itself, and the wedge of a box, which does not.
     star = [[round(math.cos(0.3 + 0.8 * math.pi * k), 6), round(math.sin(0.3 + 0.8 * math.pi * k), 6)] for k in range(5)]
     ends = [[*p, z] for z in (0.0, 1.25) for p in [*star, [0.0, 0.0]]]
@@ -81,6 +81,17 @@ def test_a_mesh_may_be_measured_without_a_search_for_intersections() -> None:
             polhode.inertia(wedge, unit="m", density=4.0, check=False, **other)
     with pytest.raises(TypeError, match="check must be True or False"):
         polhode.inertia(wedge, unit="m", density=4.0, check=0)  # type: ignore[arg-type]
+    # Two parts of a file that overlap: each states the omission.
+    lines = []
+    for part, shift in enumerate((0.0, 0.25)):
+        lines += [f"o part{part}", *(f"v {x + shift} {y} {z}" for x, y, z in wedge[0])]
+        lines += [f"f {a + 4 * part + 1} {b + 4 * part + 1} {c + 4 * part + 1}" for a, b, c in wedge[1]]
+    path = tmp_path / "two.obj"
+    path.write_text("\n".join(lines))
+    with pytest.warns(polhode.PolhodeWarning, match=r"\[mesh.parts_overlap\]"):
+        both = polhode.inertia(path, unit="m", density=4.0)
+    unchecked = polhode.inertia(path, unit="m", density=4.0, check=False)
+    assert [finding.code for finding in unchecked.findings] == ["mesh.unchecked"] * 2 and unchecked.mass == both.mass
 
 
 def test_indices_are_checked_in_every_type() -> None:

@@ -188,7 +188,8 @@ impl ClosedMesh {
         let proper = given.filter(|(t, _)| patches.component[*t] != NONE);
         let turned =
             proper.map(|(t, &[a, b, c])| if patches.against[t] == inverted { [a, b, c] } else { [a, c, b] });
-        let triangles = turned.collect();
+        let mut triangles = Vec::with_capacity(surface.triangles.len());
+        triangles.extend(turned);
         let given = core::mem::replace(&mut surface.triangles, triangles);
         match measured(&surface, threads) {
             Ok(integrals) => {

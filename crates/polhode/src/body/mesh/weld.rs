@@ -74,7 +74,7 @@ fn shared(mesh: &TriangleMesh, threads: Threads) -> (Vec<[f64; 3]>, Vec<[u32; 3]
         }
         number[first]
     };
-    let corners = mesh.triangles().iter().map(|corners| corners.map(&mut numbered)).collect();
+    let corners = mesh.triangles().iter().map(|&[a, b, c]| [numbered(a), numbered(b), numbered(c)]).collect();
     (points, corners)
 }
 

@@ -110,7 +110,7 @@ def mesh() -> dict[str, Any]:
 
 @functools.cache
 def ball(level: int) -> tuple[np.ndarray, np.ndarray]:
-    """Returns an icosphere of 20 · 4^level triangles, radius 0.3 m, away from the origin, whose vertices are displaced by up to 1 µm."""
+    """Returns an icosphere of 20 · 4^level triangles, radius 0.3 m, away from the origin; vertices are displaced by up to 1 µm, to multiples of 2⁻²⁰."""
     g = (1.0 + math.sqrt(5.0)) / 2.0
     turns = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
     corners = [[(0.0, s, t * g)[turn.index(k)] for k in range(3)] for turn in turns for s in (-1.0, 1.0) for t in (-1.0, 1.0)]
@@ -130,7 +130,8 @@ def ball(level: int) -> tuple[np.ndarray, np.ndarray]:
         divided = [(i, j, k, middle(i, j), middle(j, k), middle(k, i)) for i, j, k in faces]
         faces = [face for i, j, k, p, q, r in divided for face in ((i, p, r), (j, q, p), (k, r, q), (p, q, r))]
     points = np.array([0.3 * vertex / np.linalg.norm(vertex) for vertex in vertices]) + [0.7, -0.4, 1.1]
-    return points + np.random.default_rng(1).uniform(-1e-6, 1e-6, points.shape), np.array(faces)
+    points += np.random.default_rng(1).uniform(-1e-6, 1e-6, points.shape)
+    return np.rint(points * 2.0**20) / 2.0**20, np.array(faces)
 
 
 def small_mesh(level: int) -> dict[str, Any]:

@@ -113,7 +113,7 @@ class MassProperties:
     def _heard(self) -> MassProperties:
         """Returns the object itself, after a warning for each finding that is not only
         information."""
-        warn_of(self.findings)
+        warn_of(findings_of(remark for remark in self._native.findings if remark[1] != "info"))
         return self
 
     @property

@@ -162,7 +162,8 @@ pub(crate) fn mesh_arrays(
     let points = copied(py, rows::<3>(&vertices)?)?;
     let corners = triangles.as_slice().map_err(|error| refused(error.to_string(), None))?;
     let corners = copied(py, corners.as_chunks().0)?;
-    of_arrays(py, made, corners.len(), move || TriangleMesh::new(points, corners))
+    let size = points.len().max(corners.len());
+    of_arrays(py, made, size, move || TriangleMesh::new(points, corners))
 }
 
 /// Returns the mass properties of triangles given by their corners (n, 9), m.
@@ -178,22 +179,23 @@ pub(crate) fn mesh_corners(
 ) -> PyResult<PyMassProperties> {
     let made = Made::new(options, &given)?;
     let triangles = copied(py, rows::<9>(&corners)?)?;
-    let count = triangles.len();
+    let size = triangles.len();
     let mesh = move || {
         let corner = |[a, b, c, d, e, f, g, h, i]: [f64; 9]| [[a, b, c], [d, e, f], [g, h, i]];
         TriangleMesh::of_soup(triangles.into_iter().map(corner).collect())
     };
-    of_arrays(py, made, count, mesh)
+    of_arrays(py, made, size, mesh)
 }
 
-/// Computes the mass properties of a mesh of `triangles` triangles; those of a large mesh on a
-/// thread of its own, where it is also created.
+/// Computes the mass properties of a mesh of `size` triangles or vertices. A large mesh, and a
+/// density that is a formula, take long: a thread of its own creates and measures it.
 fn of_arrays(
     py: Python<'_>,
     made: Made,
-    triangles: usize,
+    size: usize,
     mesh: impl FnOnce() -> Result<TriangleMesh, BodyError> + Send + 'static,
 ) -> PyResult<PyMassProperties> {
+    let is_short = size < WORTH_THREAD && made.field.is_none();
     let work = move |goes_on: &(dyn Fn() -> bool + Sync)| {
         made.mass_properties(goes_on, |how| {
             let contents = MeshContents {
@@ -209,9 +211,9 @@ fn of_arrays(
             how.body(contents, &MeshOrigin { path, format, source, title }, &mut ())
         })
     };
-    if triangles < WORTH_THREAD { watched_here(py, work)? } else { watched_apart(py, work)? }
+    if is_short { watched_here(py, work)? } else { watched_apart(py, work)? }
 }
 
-/// Number of triangles below which a mesh takes some milliseconds, and a thread of its own would
+/// Number of triangles and vertices below which a mesh takes some milliseconds, and a thread of its own would
 /// take a large part of the time: about 0.2 ms with its first allocations.
 const WORTH_THREAD: usize = 1 << 14;

@@ -67,8 +67,8 @@ pub struct ClosedMesh {
 }
 
 impl ClosedMesh {
-    /// Returns the solid that the mesh bounds. It uses all threads of the machine; the result does
-    /// not depend on their number.
+    /// Returns the solid that the mesh bounds. For a large mesh it uses all threads of the machine;
+    /// the result does not depend on their number.
     ///
     /// # Errors
     /// [`BodyError::Empty`], [`BodyError::OpenMesh`], [`BodyError::Unorientable`],

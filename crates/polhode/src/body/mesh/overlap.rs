@@ -1,4 +1,4 @@
-//! Self-intersections of a surface.
+//! Self-intersections of a surface, where neither `star.rs` nor `layer.rs` excludes them.
 //!
 //! A closed mesh is valid if its winding number is 0 or 1 everywhere. This holds if none of these
 //! tests finds a fault:

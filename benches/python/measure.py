@@ -3,6 +3,7 @@
 
     pip install heyoka scipy mujoco trimesh numpy ./crates/polhode-py
     python3 benches/python/measure.py           # measures, and writes measured.json and the page
+    python3 benches/python/measure.py --small   # measures only the small meshes; manifold3d too, if it is installed
     python3 benches/python/measure.py --page    # writes the page of what was measured
     python3 benches/python/measure.py --check   # fails unless the page is that
 
@@ -45,8 +46,12 @@ def main() -> int:
     import page
 
     match sys.argv[1:]:
-        case ["--one", folder, peer, place]:
-            one(folder, peer, Path(place))
+        case ["--one", name, peer, place]:
+            one(name, peer, Path(place))
+        case ["--small"]:
+            measured = json.loads(MEASURED.read_text()) | {"small_meshes": measure_small_meshes()}
+            MEASURED.write_text(json.dumps(measured, indent=1, sort_keys=True) + "\n")
+            page.write(measured)
         case ["--idle"]:
             idle()
         case ["--check"]:
@@ -81,6 +86,7 @@ def measure() -> dict[str, Any]:
             found[of.folder] = {peer: {"error": runs[0].pop("error")} | {key: min(run[key] for run in runs) for key in runs[0]} for peer, runs in rows.items()}
     return {
         "problems": found,
+        "small_meshes": measure_small_meshes(),
         "idle": json.loads(child("--idle"))["memory"],
         "machine": f"{processor()}, {len(os.sched_getaffinity(0))} processors",
         "python": platform.python_version(),
@@ -89,18 +95,36 @@ def measure() -> dict[str, Any]:
     }
 
 
+def measure_small_meshes() -> dict[str, Any]:
+    """Returns time and error of small meshes, by program and number of triangles, and the versions of packages that only they need."""
+    import page
+    import problem
+
+    rows: dict[str, dict[str, dict[str, float]]] = {peer: {} for peer in page.SMALL if importlib.util.find_spec(page.SMALL[peer].package)}
+    with tempfile.TemporaryDirectory() as folder:
+        place = Path(folder) / "answer"
+        for of in problem.SMALL_MESHES:
+            for _ in range(ROUNDS):
+                for peer, row in rows.items():
+                    run = json.loads(child("--one", of.name, peer, str(place)))
+                    least = min(run["time"], row.get(of.title, run)["time"])
+                    row[of.title] = {"time": least, "error": of.error(pickle.loads(place.read_bytes()))}
+                    print(of.name, peer, run, file=sys.stderr)
+    return {"rows": rows, "versions": {peer: version(peer) for peer in rows if peer in page.SMALL_ONLY}}
+
+
 def child(*arguments: str) -> str:
     done = subprocess.run([sys.executable, __file__, *arguments], check=True, stdout=subprocess.PIPE, text=True)
     return done.stdout.splitlines()[-1]
 
 
-def one(folder: str, peer: str, place: Path) -> None:
+def one(name: str, peer: str, place: Path) -> None:
     """Solves a problem by a program; writes the answer to a file and the measurements to standard output."""
     import problem
 
-    (of,) = (of for of in problem.PROBLEMS if of.folder == folder)
+    of = problem.named(name)
     given = of.given()
-    spec = importlib.util.spec_from_file_location("program", HERE / folder / f"with_{peer}.py")
+    spec = importlib.util.spec_from_file_location("program", HERE / of.folder / f"with_{peer}.py")
     assert spec and spec.loader
     program = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(program)

@@ -7,7 +7,7 @@ import io
 import sys
 import tokenize
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 HERE = Path(__file__).resolve().parent
 PAGE = HERE.parents[1] / "book" / "peers.md"
@@ -15,6 +15,26 @@ BEGIN, END = "<!-- begin: {} -->\n", "<!-- end: {} -->\n"
 
 #: Printed names, in the order of the rows.
 NAMES = {"polhode": "polhode", "heyoka": "heyoka", "scipy": "SciPy", "mujoco": "MuJoCo", "trimesh": "trimesh"}
+
+
+class Small(NamedTuple):
+    """Program of the table of small meshes."""
+
+    title: str
+    package: str
+    checks: str
+
+
+#: Programs of the table of small meshes, by the ends of their names, in the order of the rows.
+SMALL = {
+    "polhode": Small("polhode", "polhode", "closed, oriented, no self-intersections"),
+    "polhode_unchecked": Small("polhode, `check=False`", "polhode", "closed, oriented"),
+    "trimesh": Small("trimesh", "trimesh", "nothing"),
+    "manifold3d": Small("manifold3d, volume only", "manifold3d", "matching edges"),
+}
+
+#: Packages of that table alone.
+SMALL_ONLY = {"manifold3d"}
 
 #: Columns in which lower values are better.
 COLUMNS = {"lines": "lines of code", "time": "time", "memory": "memory", "error": "error"}
@@ -57,6 +77,24 @@ def table(folder: str, measured: dict[str, dict[str, float]]) -> str:
     return out
 
 
+def small_meshes(measured: dict[str, Any]) -> str:
+    """Returns the table of small meshes; the minimum of each column is bold. Empty if they were not measured."""
+    if not measured:
+        return ""
+    rows, versions = measured["rows"], measured["versions"]
+    sizes = list(next(iter(rows.values())))
+    least = {size: min(row[size]["time"] for row in rows.values()) for size in sizes}
+    said = "".join(f" {NAMES.get(name, name)} {version}." for name, version in versions.items())
+    out = "### Small meshes\n\nThe same of icospheres away from the origin, with vertices displaced by up to 1 µm: processor time by number of triangles.\n"
+    out += f"manifold3d computes the volume and no tensor.{said}\n\n| | checks | {' | '.join(sizes)} | largest error |\n|---|---|{'---|' * len(sizes)}---|\n"
+    for peer in (peer for peer in SMALL if peer in rows):
+        row = rows[peer]
+        link = f"[{SMALL[peer].title}](../benches/python/mesh/{program('mesh', peer).name})"
+        cell = [f"**{duration(row[size]['time'])}**" if row[size]["time"] == least[size] else duration(row[size]["time"]) for size in sizes]
+        out += f"| {link} | {SMALL[peer].checks} | {' | '.join(cell)} | {max(row[size]['error'] for size in sizes):.1g} |\n"
+    return out
+
+
 def behind(folder: str, measured: dict[str, dict[str, float]]) -> list[str]:
     """Returns the columns in which another package has a lower value than polhode."""
     lines = {peer: lines_of_code(program(folder, peer).read_text()) for peer in measured}
@@ -86,6 +124,7 @@ def parts(measured: dict[str, Any]) -> dict[str, str]:
     for of in problem.PROBLEMS:
         text = f"{of.text} Error: {of.error_of}.{' ' + of.without if of.without else ''}\n\n"
         found[of.folder] = text + table(of.folder, measured["problems"][of.folder])
+    found["small_meshes"] = small_meshes(measured.get("small_meshes", {}))
     return found
 
 

@@ -30,6 +30,8 @@ class Problem(NamedTuple):
     without: str
     given: Any
     error: Any
+    #: Name; the folder's by default.
+    name: str = ""
 
 
 # Free motion
@@ -106,13 +108,55 @@ def mesh() -> dict[str, Any]:
     return {"vertices": vertices, "triangles": triangles, "density": DENSITY}
 
 
+@functools.cache
+def ball(level: int) -> tuple[np.ndarray, np.ndarray]:
+    """Returns an icosphere of 20 · 4^level triangles, radius 0.3 m, away from the origin; vertices are displaced by up to 1 µm, to multiples of 2⁻²⁰."""
+    g = (1.0 + math.sqrt(5.0)) / 2.0
+    turns = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
+    corners = [[(0.0, s, t * g)[turn.index(k)] for k in range(3)] for turn in turns for s in (-1.0, 1.0) for t in (-1.0, 1.0)]
+    vertices = [np.array(corner) for corner in corners]
+    near = [{j for j in range(12) if j != i and math.dist(corners[i], corners[j]) < 2.1} for i in range(12)]
+    faces = [(i, j, k) for i in range(12) for j in near[i] for k in near[i] & near[j] if i < j < k]
+    faces = [(i, j, k) if np.dot(np.cross(vertices[i], vertices[j]), vertices[k]) > 0.0 else (i, k, j) for i, j, k in faces]
+    for _ in range(level):
+        middles: dict[tuple[int, int], int] = {}
+
+        def middle(i: int, j: int) -> int:
+            if (min(i, j), max(i, j)) not in middles:
+                middles[min(i, j), max(i, j)] = len(vertices)
+                vertices.append(vertices[i] / np.linalg.norm(vertices[i]) + vertices[j] / np.linalg.norm(vertices[j]))
+            return middles[min(i, j), max(i, j)]
+
+        divided = [(i, j, k, middle(i, j), middle(j, k), middle(k, i)) for i, j, k in faces]
+        faces = [face for i, j, k, p, q, r in divided for face in ((i, p, r), (j, q, p), (k, r, q), (p, q, r))]
+    points = np.array([0.3 * vertex / np.linalg.norm(vertex) for vertex in vertices]) + [0.7, -0.4, 1.1]
+    points += np.random.default_rng(1).uniform(-1e-6, 1e-6, points.shape)
+    return np.rint(points * 2.0**20) / 2.0**20, np.array(faces)
+
+
+def small_mesh(level: int) -> dict[str, Any]:
+    vertices, triangles = ball(level)
+    return {"vertices": vertices, "triangles": triangles, "density": DENSITY}
+
+
+def error_of_small_mesh(level: int, answer: Any) -> float:
+    return error_of(answer, *ball(level))
+
+
 def error_of_mesh(answer: Any) -> float:
-    """Returns the larger of two errors: relative error of the mass, and largest error of the central tensor over half its trace."""
+    return error_of(answer, *solid())
+
+
+def error_of(answer: Any, vertices: np.ndarray, triangles: np.ndarray) -> float:
+    """Returns the larger of two errors: relative error of the mass, and largest error of the central tensor, if there is one, over half its trace."""
     mass, _, inertia = answer
-    true_mass, true_inertia = reference.mass_properties(*solid(), DENSITY)
+    true_mass, true_inertia = reference.mass_properties(vertices, triangles, DENSITY)
+    of_mass = float(abs(Fraction(float(mass)) - true_mass) / true_mass)
+    if inertia is None:
+        return of_mass
     half = sum(true_inertia[k][k] for k in range(3)) / 2
     wrong = [abs(Fraction(float(inertia[i][j])) - true_inertia[i][j]) / half for i in range(3) for j in range(3)]
-    return float(max(*wrong, abs(Fraction(float(mass)) - true_mass) / true_mass))
+    return float(max(*wrong, of_mass))
 
 
 PROBLEMS = [
@@ -153,3 +197,23 @@ PROBLEMS = [
         error_of_mesh,
     ),
 ]
+
+#: Meshes of the table of small meshes: 320, 1,280 and 5,120 triangles.
+SMALL_MESHES = [
+    Problem(
+        "mesh",
+        f"{20 * 4**level:,}",
+        "",
+        "",
+        "",
+        functools.partial(small_mesh, level),
+        functools.partial(error_of_small_mesh, level),
+        f"small_mesh_{20 * 4**level}",
+    )
+    for level in (2, 3, 4)
+]
+
+
+def named(name: str) -> Problem:
+    (found,) = (of for of in PROBLEMS + SMALL_MESHES if name == (of.name or of.folder))
+    return found

@@ -9,5 +9,5 @@ def prepare(vertices, triangles, density):
 
 def solve(prepared):
     vertices, triangles, density = prepared
-    body = polhode.inertia((vertices, triangles), density=density)
+    body = polhode.inertia((vertices, triangles), density=density, unit="m")
     return body.mass, body.center_of_mass, body.inertia

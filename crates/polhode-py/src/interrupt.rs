@@ -3,9 +3,9 @@
 //! Work runs without Python's lock, and periodically takes it to check for signals. If another
 //! Python thread holds the lock, such a check takes some milliseconds, independent of the work.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -76,6 +76,20 @@ pub(crate) fn watched<T: Send>(
     let mut watch = Watch::new();
     let outcome = py.detach(|| work(&mut |_time| watch.goes_on()));
     watch.ended().map(|()| outcome)
+}
+
+/// Works like [`watched`] for work that calls a shared function, mostly at short intervals.
+///
+/// # Errors
+/// `KeyboardInterrupt`, or another exception of the signal handler.
+pub(crate) fn watched_here<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&(dyn Fn() -> bool + Sync)) -> T + Send,
+) -> PyResult<T> {
+    let watch = Mutex::new(Watch::new());
+    let goes_on = || watch.lock().unwrap_or_else(PoisonError::into_inner).goes_on();
+    let outcome = py.detach(|| work(&goes_on));
+    watch.into_inner().unwrap_or_else(PoisonError::into_inner).ended().map(|()| outcome)
 }
 
 /// Runs `work` without Python's lock on a thread of its own. A signal interrupts the caller

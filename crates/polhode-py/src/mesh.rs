@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 
 use crate::arrays::rows;
 use crate::error::{Raise, refused};
-use crate::interrupt::{copied, watched_apart};
+use crate::interrupt::{copied, watched_apart, watched_here};
 use crate::mass_properties::PyMassProperties;
 use crate::substance::Given;
 
@@ -35,6 +35,8 @@ pub(crate) struct MeshOptions {
     fill: Option<String>,
     /// True to count overlapping volumes of parts only once.
     union: bool,
+    /// True to search for triangles that intersect.
+    check: bool,
     /// Substances of the named parts.
     parts: Vec<(String, Given)>,
     /// Density, kg/m³, as a formula of x, y and z, m.
@@ -75,7 +77,7 @@ impl Made {
         goes_on: &(dyn Fn() -> bool + Sync),
         body: impl FnOnce(MeshUse<'_>) -> Result<MeshBody<'_>, MeshBodyError>,
     ) -> PyResult<PyMassProperties> {
-        let MeshOptions { unit, hull, shell, union, tolerance, .. } = self.options;
+        let MeshOptions { unit, hull, shell, union, check, tolerance, .. } = self.options;
         let how = MeshUse {
             unit,
             hull,
@@ -83,6 +85,7 @@ impl Made {
             weld: self.weld,
             fill: self.fill,
             union,
+            check,
             substance: self.substance,
             parts: &self.parts,
             field: self.field.as_ref(),
@@ -159,7 +162,8 @@ pub(crate) fn mesh_arrays(
     let points = copied(py, rows::<3>(&vertices)?)?;
     let corners = triangles.as_slice().map_err(|error| refused(error.to_string(), None))?;
     let corners = copied(py, corners.as_chunks().0)?;
-    of_arrays(py, made, move || TriangleMesh::new(points, corners))
+    let size = points.len().max(corners.len());
+    of_arrays(py, made, size, move || TriangleMesh::new(points, corners))
 }
 
 /// Returns the mass properties of triangles given by their corners (n, 9), m.
@@ -175,20 +179,24 @@ pub(crate) fn mesh_corners(
 ) -> PyResult<PyMassProperties> {
     let made = Made::new(options, &given)?;
     let triangles = copied(py, rows::<9>(&corners)?)?;
+    let size = triangles.len();
     let mesh = move || {
         let corner = |[a, b, c, d, e, f, g, h, i]: [f64; 9]| [[a, b, c], [d, e, f], [g, h, i]];
         TriangleMesh::of_soup(triangles.into_iter().map(corner).collect())
     };
-    of_arrays(py, made, mesh)
+    of_arrays(py, made, size, mesh)
 }
 
-/// Computes the mass properties of a mesh that is created on the worker thread.
+/// Computes the mass properties of a mesh of `size` triangles or vertices. A large mesh, and a
+/// density that is a formula, take long: a thread of its own creates and measures it.
 fn of_arrays(
     py: Python<'_>,
     made: Made,
+    size: usize,
     mesh: impl FnOnce() -> Result<TriangleMesh, BodyError> + Send + 'static,
 ) -> PyResult<PyMassProperties> {
-    watched_apart(py, move |goes_on| {
+    let is_short = size < WORTH_THREAD && made.field.is_none();
+    let work = move |goes_on: &(dyn Fn() -> bool + Sync)| {
         made.mass_properties(goes_on, |how| {
             let contents = MeshContents {
                 encoding: "",
@@ -202,5 +210,10 @@ fn of_arrays(
             let source = SourceInfo::new("arrays", "python");
             how.body(contents, &MeshOrigin { path, format, source, title }, &mut ())
         })
-    })?
+    };
+    if is_short { watched_here(py, work)? } else { watched_apart(py, work)? }
 }
+
+/// Number of triangles and vertices below which a mesh takes some milliseconds, and a thread of its own would
+/// take a large part of the time: about 0.2 ms with its first allocations.
+const WORTH_THREAD: usize = 1 << 14;

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -52,6 +53,59 @@ def test_parts_that_overlap_are_united_if_asked() -> None:
     assert math.isclose(body.to_dict()["source"]["union"]["shared_m3"], 1.0, rel_tol=1e-12)
     with pytest.raises(polhode.PolhodeError, match="shell and union are both given"):
         polhode.inertia((vertices, triangles), unit="m", shell=0.01, union=True)
+
+
+def test_a_mesh_may_be_measured_without_a_search_for_intersections(tmp_path: Path) -> None:
+    # A prism over a pentagram, which goes through itself, and the wedge of a box, which does not.
+    star = [[round(math.cos(0.3 + 0.8 * math.pi * k), 6), round(math.sin(0.3 + 0.8 * math.pi * k), 6)] for k in range(5)]
+    ends = [[*p, z] for z in (0.0, 1.25) for p in [*star, [0.0, 0.0]]]
+    sides = [t for a, b in ((k, (k + 1) % 5) for k in range(5)) for t in ([a, b, b + 6], [a, b + 6, a + 6], [5, b, a], [11, a + 6, b + 6])]
+    wedge = [[0.5, 0.25, 0.0], [3.5, 0.25, 0.0], [0.5, 2.25, 0.0], [0.5, 0.25, 1.0]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+    for mesh, codes in (((ends, sides), ["mesh.overlap"]), (wedge, [])):
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            whole = polhode.inertia(mesh, unit="m", density=4.0)
+        assert [finding.code for finding in whole.findings] == codes and len(said) == len(codes)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            unchecked = polhode.inertia(mesh, unit="m", density=4.0, check=False)
+        assert [finding.code for finding in unchecked.findings] == ["mesh.unchecked"]
+        for text in (repr(unchecked), str(unchecked)):
+            assert "not checked for self-intersections" in text
+        assert "not checked" not in repr(whole)
+        assert unchecked.mass == whole.mass and (unchecked.center_of_mass == whole.center_of_mass).all() and (unchecked.inertia == whole.inertia).all()
+    with pytest.raises(polhode.PolhodeError, match="the mesh is open"):
+        polhode.inertia((wedge[0], wedge[1][1:]), unit="m", density=4.0, check=False)
+    for other in ({"hull": True}, {"shell": 0.01}, {"union": True}):
+        with pytest.raises(polhode.PolhodeError, match="check=False are both given"):
+            polhode.inertia(wedge, unit="m", density=4.0, check=False, **other)
+    with pytest.raises(TypeError, match="check must be True or False"):
+        polhode.inertia(wedge, unit="m", density=4.0, check=0)  # type: ignore[arg-type]
+    # Two parts of a file that overlap: each states the omission.
+    lines = []
+    for part, shift in enumerate((0.0, 0.25)):
+        lines += [f"o part{part}", *(f"v {x + shift} {y} {z}" for x, y, z in wedge[0])]
+        lines += [f"f {a + 4 * part + 1} {b + 4 * part + 1} {c + 4 * part + 1}" for a, b, c in wedge[1]]
+    path = tmp_path / "two.obj"
+    path.write_text("\n".join(lines))
+    with pytest.warns(polhode.PolhodeWarning, match=r"\[mesh.parts_overlap\]"):
+        both = polhode.inertia(path, unit="m", density=4.0)
+    unchecked = polhode.inertia(path, unit="m", density=4.0, check=False)
+    assert [finding.code for finding in unchecked.findings] == ["mesh.unchecked"] * 2 and unchecked.mass == both.mass
+
+
+def test_indices_are_checked_in_every_type() -> None:
+    vertices = np.array([[0.5, 0.25, 0.0], [3.5, 0.25, 0.0], [0.5, 2.25, 0.0], [0.5, 0.25, 1.0]])
+    triangles = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    mass = polhode.inertia((vertices, triangles), unit="m", density=4.0).mass
+    for kind in (np.int64, np.int32, np.uint8, np.uint32, np.uint64):
+        assert polhode.inertia((vertices, triangles.astype(kind)), unit="m", density=4.0).mass == mass
+    assert polhode.inertia((vertices, triangles.T.copy().T), unit="m", density=4.0).mass == mass
+    for wrong in (-1, 4, 2**32, -(2**63)):
+        bad = triangles.copy()
+        bad[2, 1] = wrong
+        with pytest.raises(polhode.PolhodeError, match=rf"triangles\[2, 1\] = {wrong} must be from 0 to 3"):
+            polhode.inertia((vertices, bad), unit="m", density=4.0)
 
 
 def test_torn_and_holed_meshes_are_mended_if_asked(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-//! Cost of meshes, in ns per triangle and in ms. `cargo bench -p polhode --bench mesh`.
+//! Cost of meshes, in ns per triangle, µs and ms. `cargo bench -p polhode --bench mesh`.
 //!
 //! Each line: name, minimum time of a few runs, unit.
 
@@ -98,7 +98,20 @@ fn derivatives(mesh: &TriangleMesh) -> Result<(), BodyError> {
     Ok(())
 }
 
+/// Measures a whole mesh with few triangles: its diagnosis and integrals, and without the search for
+/// intersections.
+fn small(mesh: &TriangleMesh) {
+    let count = mesh.triangles().len();
+    let whole = least(|| ClosedMesh::of(mesh));
+    let unchecked = least(|| ClosedMesh::unchecked(mesh, &|| true));
+    println!("solid of {count} triangles\t{:.1}\tµs", whole * 1e6);
+    println!("solid of {count} triangles, unchecked\t{:.1}\tµs", unchecked * 1e6);
+}
+
 fn main() -> Result<(), BodyError> {
+    for level in [3, 4, 5] {
+        small(&lump(level)?); // 512, 2,048 and 8,192 triangles
+    }
     let mesh = lump(9)?; // 2,097,152 triangles
     let count = mesh.triangles().len();
     let soup = TriangleMesh::of_triangles(&mesh.corners().collect::<Vec<_>>())?;

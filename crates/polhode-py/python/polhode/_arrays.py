@@ -26,6 +26,9 @@ EXACT = 2**53
 #: Data type that needs no conversion.
 FLOAT64 = np.dtype(np.float64)
 
+#: Data type of NumPy's indices.
+INT64 = np.dtype(np.int64)
+
 #: Rule for values that are not exact in float64, for messages.
 INEXACT = "a float64 exactly: give a float, or an integer up to 2**53"
 
@@ -96,7 +99,7 @@ def _array(name: str, value: object, what: str, rule: str = INEXACT) -> npt.NDAr
 def refuse_masked(name: str, value: object) -> None:
     """Refuses masked elements of NumPy and Astropy, because the mask would be lost."""
     mask = getattr(value, "mask", False)
-    if not callable(mask) and np.any(mask):
+    if mask is not False and not callable(mask) and np.any(mask):
         raise PolhodeError(f"{name} has masked elements: fill them in, or delete their rows")
 
 
@@ -298,6 +301,10 @@ def positive(name: str, value: object) -> float:
 
 def indices(name: str, value: object, shape: tuple[int | str, ...], below: int) -> npt.NDArray[np.uint32]:
     """Converts whole numbers from 0 to ``below`` − 1."""
+    if type(value) is np.ndarray and value.dtype is INT64 and value.flags.c_contiguous and value.size:
+        # As unsigned numbers, negative ones are above all others.
+        if value.ndim == len(shape) and value.shape[-1] == shape[-1] and value.view(np.uint64).max() < below:
+            return value.astype(np.uint32)
     rule = f"from 0 to {below - 1}"
     array = _array(name, value, "whole numbers", rule)
     if array.size and array.dtype.kind not in "iu":

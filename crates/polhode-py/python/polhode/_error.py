@@ -66,7 +66,7 @@ def in_python(text: str) -> str:
 
     if "`polhode " in text:
         text = _COMMAND.sub(lambda found: f"polhode.{_COMMANDS.get(found[1], found[1])}", text)
-    return _FLAG.sub(keyword, text.replace(" with -o DIR", "")) if "-" in text else text
+    return _FLAG.sub(keyword, text.replace(" with -o DIR", "")) if "--" in text or "-o DIR" in text else text
 
 
 @public()

@@ -35,7 +35,7 @@ _OPTIONS = {
     "scenario": ("a scenario", set[str]()),
     "mesh": (
         "a mesh",
-        {"density", "mass", "material", "parts", "field", "tolerance", "unit", "hull", "shell", "weld", "fill", "union"},
+        {"density", "mass", "material", "parts", "field", "tolerance", "unit", "hull", "shell", "weld", "fill", "union", "check"},
     ),
     "step": ("a STEP file", {"density", "mass", "material"}),
     "particles": ("a table of particles", {"mass", "unit", "mass_unit"}),
@@ -61,6 +61,7 @@ def inertia(
     weld: str | float | None = None,
     fill: str | float | None = None,
     union: bool = False,
+    check: bool = True,
     mass_unit: str | float | None = None,
     products: str | None = None,
     decimal: str | None = None,
@@ -83,7 +84,7 @@ def inertia(
         A path; an open file; ``(vertices, triangles)``; an object with ``vertices`` and ``faces``,
         such as a ``trimesh.Trimesh`` (in its ``units``, if it has any); or triangles (n, 3, 3)
         given by their corners.
-    density, mass, material, parts, field, tolerance, unit, hull, shell, weld, fill, union
+    density, mass, material, parts, field, tolerance, unit, hull, shell, weld, fill, union, check
         Options for meshes; some also apply to other files.
     mass_unit, products, decimal, isotopes, molecule, spacing, origin, per_value, link, subtree, joints
         Options for other files. The notes list the options of each kind of file. Any other option
@@ -122,6 +123,10 @@ def inertia(
         ``"0.01 mm"``, or plain numbers, fractions of the diagonal of the mesh's bounding box.
         Repairs and their possible effect are reported as a warning and in ``to_dict()["source"]``.
         ``union=True`` counts overlapping volumes once, within a part and between parts.
+        ``check=False`` omits the search for triangles that intersect. The mesh must still be closed
+        and consistently oriented, and the finding ``mesh.unchecked`` states the omission. Use it
+        for meshes that were checked before or are sound by construction, such as marching cubes,
+        and for many small meshes: a volume that a surface encloses twice counts twice.
     ``step`` (.step .stp, ISO 10303-21)
         ``density``, ``mass`` or ``material``. OpenCASCADE computes the exact solids, each of them a
         part; install it with ``pip install cadquery-ocp`` (the extra ``step``). Lengths are in the
@@ -185,6 +190,7 @@ def inertia(
         "weld": weld,
         "fill": fill,
         "union": _arrays.truth("union", union) or None,
+        "check": None if _arrays.truth("check", check) else False,
         "mass_unit": mass_unit,
         "products": products,
         "decimal": decimal,
@@ -263,6 +269,9 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
                 raise PolhodeError(f"{whole} and {repair} are both given: a hull or a sheet does not need a closed mesh")
     if options["shell"] is not None and options["union"]:
         raise PolhodeError("shell and union are both given: a sheet follows the surface as it is")
+    for whole in ("hull", "shell", "union"):
+        if options[whole] is not None and options["check"] is not None:
+            raise PolhodeError(f"{whole} and check=False are both given: check has no effect on a hull, a sheet or a union")
     if options["hull"] is not None and options["shell"] is not None:
         raise PolhodeError("hull and shell are both given: use either the convex hull or a sheet")
 
@@ -287,6 +296,7 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             "weld": _beside_mesh("weld", options["weld"]),
             "fill": _beside_mesh("fill", options["fill"]),
             "union": bool(options["union"]),
+            "check": options["check"] is None,
             "parts": of_parts(options["parts"]),
             "field": None if options["field"] is None else _arrays.text("field", options["field"]),
             "tolerance": number("tolerance"),

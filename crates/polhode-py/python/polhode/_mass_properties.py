@@ -113,7 +113,7 @@ class MassProperties:
     def _heard(self) -> MassProperties:
         """Returns the object itself, after a warning for each finding that is not only
         information."""
-        warn_of(self.findings)
+        warn_of(findings_of(remark for remark in self._native.findings if remark[1] != "info"))
         return self
 
     @property
@@ -324,7 +324,9 @@ class MassProperties:
 
     def __repr__(self) -> str:
         moments = ", ".join(f"{moment:.6g}" for moment in self.moments)
-        return f"MassProperties(mass={self.mass:.6g}, moments=[{moments}], symmetry={self.symmetry!r})"
+        unchecked = any(finding.code == "mesh.unchecked" for finding in self.findings)
+        remark = "; not checked for self-intersections" if unchecked else ""
+        return f"MassProperties(mass={self.mass:.6g}, moments=[{moments}], symmetry={self.symmetry!r}{remark})"
 
     def __str__(self) -> str:
         return self._native.text()

@@ -34,6 +34,7 @@ class MeshOptions(TypedDict):
     weld: str | None
     fill: str | None
     union: bool
+    check: bool
     parts: list[tuple[str, Given]]
     field: str | None
     tolerance: float | None

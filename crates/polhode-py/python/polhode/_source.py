@@ -29,6 +29,9 @@ PIECE = 1 << 23
 def mesh_of(source: Any) -> tuple[object, object] | Floats | None:
     """Returns vertices and triangles, or triangles given by their corners (n, 3, 3); ``None`` for a
     path or an open file."""
+    # A closed mesh has more than two triangles, so a pair is vertices and indices.
+    if type(source) is tuple and len(source) == 2:
+        return source
     if isinstance(source, (str, os.PathLike)) or hasattr(source, "read"):
         return None
     if hasattr(source, "vertices"):
@@ -38,7 +41,6 @@ def mesh_of(source: Any) -> tuple[object, object] | Floats | None:
                 return vertices, np.asarray(getattr(source, name))
     if _units.has_units(source) and not (isinstance(source, (tuple, list)) and len(source) == 2):
         source = _arrays.real("source", source)
-    # A closed mesh has more than two triangles, so a pair is vertices and indices.
     if isinstance(source, (tuple, list)) and len(source) == 2:
         return source[0], source[1]
     if isinstance(source, tuple):

@@ -64,8 +64,9 @@ DIMENSIONS: dict[str, Dimension] = {
     **dict.fromkeys(["attitude", "rotation", "axes", "a wheel's axis", "tolerance", "outlier"], NUMBER),
 }
 
-#: Types of numbers without a unit.
+#: Types of numbers without a unit, and of values without a unit.
 _BARE = {float, int, np.float64}
+_PLAIN = {*_BARE, np.ndarray}
 
 #: Names of SI base units in Pint and Astropy, and their symbols here.
 _BASE = {
@@ -77,6 +78,8 @@ _PINT = {"kg": "kilogram", "m": "meter", "s": "second", "rad": "radian", "A": "a
 
 def library_of(value: object) -> str | None:
     """Returns the library of a quantity; ``None`` for anything else."""
+    if type(value) is np.ndarray:
+        return None
     for kind in type(value).__mro__:
         name = kind.__module__.partition(".")[0]
         if name in ("pint", "astropy") and name in sys.modules:
@@ -87,7 +90,7 @@ def library_of(value: object) -> str | None:
 def has_units(value: object) -> bool:
     """Returns true if the value is a quantity of a library, or a list that contains one."""
     if isinstance(value, (list, tuple)):
-        return not set(map(type, value)) <= _BARE and any(map(has_units, value))
+        return not set(map(type, value)) <= _PLAIN and any(map(has_units, value))
     return library_of(value) is not None
 
 

@@ -32,6 +32,7 @@ pub(super) fn report(
         weld: length(&choice.weld),
         fill: length(&choice.fill),
         union: choice.union,
+        check: true,
         substance: request.substance.given(),
         parts: &parts,
         field: choice.field.as_ref().map(|formula| &formula.value.0),

@@ -38,6 +38,8 @@ pub struct MeshUse<'a> {
     pub fill: Option<MeshLength>,
     /// True to use the union of all parts.
     pub union: bool,
+    /// True to search for triangles that intersect; hulls, sheets and unions do not depend on it.
+    pub check: bool,
     /// Substance of all parts without their own substance.
     pub substance: Option<Substance>,
     /// Substances of individual parts.
@@ -234,8 +236,9 @@ impl<'a> MeshUse<'a> {
             let pieces = vec![Piece::new(String::new(), united.union)];
             return Ok(Model { source, unit, pieces, findings, field: None });
         }
-        let solid = MeshSolid::watched(contents, origin.path, origin.format, self.unit, self.goes_on)
-            .map_err(explained)?;
+        let solids = if self.check { MeshSolid::watched } else { MeshSolid::unchecked };
+        let solid =
+            solids(contents, origin.path, origin.format, self.unit, self.goes_on).map_err(explained)?;
         self.require_wanted()?;
         let mut findings = MeshRepair::findings(&repairs, &solid, &file);
         findings.extend(solid.findings_in(&file));
@@ -246,6 +249,7 @@ impl<'a> MeshUse<'a> {
             (false, true) => "closed, wound inward (reversed)".to_owned(),
             (false, false) => "closed, consistently wound".to_owned(),
         };
+        let what = if self.check { what } else { format!("{what}, not checked for self-intersections") };
         let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
         // A hull or a repaired mesh has different triangles than the file.
         let triangles = match self.hull || !repairs.is_empty() {

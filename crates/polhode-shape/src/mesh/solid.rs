@@ -101,7 +101,25 @@ impl MeshSolid {
         unit: Option<f64>,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Self, FormatError> {
-        let (solids, joined) = solids(&contents.parts, goes_on)
+        let (solids, joined) = solids(&contents.parts, true, goes_on)
+            .map_err(|unsound| open_or_unsound(&contents, unsound, path, goes_on))?;
+        contents.findings.extend(joined);
+        Self::of_solids(contents, solids, path, format, unit)
+    }
+
+    /// Works like [`MeshSolid::watched`], but does not search for triangles that intersect
+    /// ([`ClosedMesh::unchecked`]), neither within a part nor between parts.
+    ///
+    /// # Errors
+    /// [`FormatError`], as for [`MeshSolid::of`], except for overlaps.
+    pub fn unchecked(
+        mut contents: MeshContents,
+        path: &Path,
+        format: MeshFormat,
+        unit: Option<f64>,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, FormatError> {
+        let (solids, joined) = solids(&contents.parts, false, goes_on)
             .map_err(|unsound| open_or_unsound(&contents, unsound, path, goes_on))?;
         contents.findings.extend(joined);
         Self::of_solids(contents, solids, path, format, unit)
@@ -193,7 +211,7 @@ fn open_or_unsound(
     }
     let fill = all.closing_fill(goes_on).filter(|fill| {
         let filled = contents.clone().filled(MeshLength::OfSize(fill.size), None, path);
-        filled.is_ok_and(|(filled, _)| solids(&filled.parts, goes_on).is_ok())
+        filled.is_ok_and(|(filled, _)| solids(&filled.parts, true, goes_on).is_ok())
     });
     match fill {
         Some(fill) => error.with_hint(format!(
@@ -215,22 +233,24 @@ struct Unsound {
 }
 
 /// Returns the solid of each part, or of all parts together; otherwise the part that is not a
-/// solid.
+/// solid. Intersections are searched only if `is_checked`.
 fn solids(
     parts: &[MeshPart],
+    is_checked: bool,
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<(Vec<SolidPart>, Option<Finding>), Unsound> {
+    let solid = |mesh: &TriangleMesh| match is_checked {
+        true => ClosedMesh::or_flaws(mesh, 0, goes_on).map(|(solid, _)| solid),
+        false => ClosedMesh::unchecked(mesh, goes_on),
+    };
     let mut solids = Vec::new();
     for (part, MeshPart { name, mesh }) in parts.iter().enumerate() {
-        match ClosedMesh::or_flaws(mesh, 0, goes_on) {
-            Ok((mesh, _)) => solids.push(SolidPart { name: name.clone(), mesh }),
+        match solid(mesh) {
+            Ok(mesh) => solids.push(SolidPart { name: name.clone(), mesh }),
             Err(flaws) => {
                 // The part may be a piece of a larger surface.
-                let one = if parts.len() > 1 {
-                    joined(parts).and_then(|all| ClosedMesh::watched(&all, goes_on)).ok()
-                } else {
-                    None
-                };
+                let one =
+                    if parts.len() > 1 { joined(parts).ok().and_then(|all| solid(&all).ok()) } else { None };
                 let Some(mesh) = one else { return Err(Unsound { part, flaws }) };
                 let message = format!("the {} parts of the file together enclose one solid", parts.len());
                 let part = SolidPart { name: String::new(), mesh };
@@ -243,7 +263,8 @@ fn solids(
 
 /// Reports parts that intersect or contain each other. Their common volume counts for each of them.
 fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
-    if parts.len() < 2 || solids.len() < 2 {
+    let is_unsearched = |solid: &SolidPart| solid.mesh.diagnosis().unsearched;
+    if parts.len() < 2 || solids.len() < 2 || solids.iter().any(is_unsearched) {
         return None;
     }
     // A part that was reversed is a solid like the others, not a cavity in them.

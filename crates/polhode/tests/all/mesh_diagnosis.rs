@@ -5,6 +5,7 @@ mod grids;
 
 use polhode::body::BodyError;
 use polhode::body::mesh::{ClosedMesh, ComponentRole, MeshDiagnosis, Triangle, TriangleMesh};
+use polhode::body::shape::{Shape, Substance};
 
 type Point = [f64; 3];
 
@@ -47,8 +48,33 @@ fn is_judged_alike_without_remarks(mesh: &TriangleMesh) {
     assert_eq!(all, brief);
 }
 
+/// Checks that a mesh whose intersections are not searched has the same bits, orientation and
+/// findings as otherwise, or the same error, except for intersections.
+fn is_measured_alike_unchecked(mesh: &TriangleMesh) {
+    let substance = Substance::Density(1.7);
+    let of_search = ["mesh.overlap", "mesh.touching", "mesh.unchecked"];
+    let measured = |solid: ClosedMesh| {
+        let body = solid.mass_properties(substance).unwrap();
+        let others = solid.findings().iter().filter(|finding| !of_search.contains(&finding.code));
+        let numbers = [body.center_of_mass().to_array()].into_iter().chain(body.inertia().matrix());
+        let bits: Vec<u64> =
+            numbers.flatten().chain([body.mass(), solid.surface_area()]).map(f64::to_bits).collect();
+        (bits, solid.inverted(), others.cloned().collect::<Vec<_>>())
+    };
+    let unchecked = ClosedMesh::unchecked(mesh, &|| true).map_err(|flaws| flaws.first);
+    if let Ok(solid) = &unchecked {
+        assert_eq!(solid.findings().last().map(|finding| finding.code), Some("mesh.unchecked"));
+        assert!(solid.diagnosis().unsearched);
+    }
+    match ClosedMesh::of(mesh) {
+        Err(BodyError::OverlappingMesh { .. }) => {}
+        checked => assert_eq!(unchecked.map(measured), checked.map(measured)),
+    }
+}
+
 fn diagnosis(parts: &[Vec<Triangle>]) -> MeshDiagnosis {
     is_judged_alike_without_remarks(&mesh(parts));
+    is_measured_alike_unchecked(&mesh(parts));
     let mesh = mesh(parts);
     let diagnosis = MeshDiagnosis::of(&mesh);
     for threads in [1, 2, 8] {
@@ -309,5 +335,69 @@ fn a_large_surface_with_one_side_is_found_in_any_order() {
         assert_eq!(roles(&diagnosis), [ComponentRole::Unorientable]);
         assert_eq!(diagnosis.boundary.count, 0);
         assert_eq!(MeshDiagnosis::with_threads(&bottle, 1), MeshDiagnosis::with_threads(&bottle, 8));
+    }
+}
+
+/// Returns a surface about an oblique axis, given by two angles, of 2 n m triangles.
+fn torus(n: u32, m: u32, at: impl Fn(f64, f64) -> Point) -> Vec<Triangle> {
+    let angle = |k: u32, n: u32| std::f64::consts::TAU * f64::from(k % n) / f64::from(n);
+    let point = |i: u32, j: u32| {
+        let [x, y, z] = at(angle(i, n), angle(j, m));
+        [0.36 * x + 0.48 * y - 0.8 * z, -0.8 * x + 0.6 * y + 0.1, 0.48 * x + 0.64 * y + 0.6 * z]
+    };
+    let squares = (0..n * m).map(|k| (k / m, k % m));
+    let halves = squares.flat_map(|(i, j)| {
+        let [a, b, c, d] = [point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    halves.collect()
+}
+
+#[test]
+fn meshes_of_every_kind_are_measured_alike_with_and_without_search_and_threads() {
+    let tube = |radius: f64, size: f64| {
+        move |u: f64, v: f64| {
+            let r = radius * (1.0 + 0.1 * (2.0 * u + v).sin());
+            [(1.0 + r * v.cos()) * u.cos(), (1.1 + r * v.cos()) * u.sin(), r * v.sin()].map(|c| c * size)
+        }
+    };
+    let ring = || torus(19, 11, tube(0.4, 1.0));
+    let mut open = ring();
+    open.remove(123);
+    let mut turned = ring();
+    turned.iter_mut().step_by(50).for_each(|t| t.swap(0, 1));
+    let mut doubled = ring();
+    doubled.extend(ring());
+    // A corner on an edge of the neighbouring triangle, which has no corner there.
+    let mut split = ring();
+    let [a, b, c] = split.remove(7);
+    let middle = [0, 1, 2].map(|k| 0.5 * (a[k] + b[k]));
+    split.extend([[a, middle, c], [middle, b, c]]);
+    // A ring around a ring, in a ring, in a cavity.
+    let nested = [ring(), inward(torus(17, 9, tube(0.3, 1.0))), torus(15, 7, tube(0.15, 1.0))];
+    let open_error = |edges: usize| move |solid: &Result<ClosedMesh, BodyError>| matches!(solid, Err(BodyError::OpenMesh { edges: found, .. }) if *found == edges);
+    type Verdict = Box<dyn Fn(&Result<ClosedMesh, BodyError>) -> bool>;
+    let has = |code: &'static str| -> Verdict {
+        Box::new(move |solid| solid.as_ref().is_ok_and(|s| s.findings().iter().any(|f| f.code == code)))
+    };
+    let cases: [(&str, Vec<Vec<Triangle>>, Verdict); 9] = [
+        ("closed", vec![ring()], Box::new(|solid| solid.as_ref().is_ok_and(|s| s.findings().is_empty()))),
+        ("open", vec![open], Box::new(open_error(3))),
+        ("self-intersecting", vec![torus(19, 11, tube(1.2, 1.0))], has("mesh.overlap")),
+        ("inverted", vec![inward(ring())], has("mesh.inverted")),
+        ("some turned", vec![turned], has("mesh.flipped")),
+        ("doubled", vec![doubled], Box::new(|s| matches!(s, Err(BodyError::DuplicateTriangle { .. })))),
+        ("T-junction", vec![split], Box::new(open_error(3))),
+        ("nested", nested.to_vec(), has("mesh.cavity")),
+        (
+            "crossing",
+            vec![ring(), torus(13, 8, tube(0.3, 0.9))],
+            Box::new(|s| matches!(s, Err(BodyError::OverlappingMesh { .. }))),
+        ),
+    ];
+    for (what, parts, is_expected) in cases {
+        diagnosis(&parts);
+        let solid = ClosedMesh::of(&mesh(&parts));
+        assert!(is_expected(&solid), "{what}: {solid:?}");
     }
 }

@@ -35,7 +35,8 @@ use crate::body::shape::{Shape, Spread};
 /// - `mesh.cavity`: an inward-oriented shell inside a solid is subtracted;
 /// - `mesh.components`: the mesh has several parts;
 /// - `mesh.touching`: parts or folds touch back to back;
-/// - `mesh.overlap`: a part intersects itself (a warning: volume enclosed twice counts twice).
+/// - `mesh.overlap`: a part intersects itself (a warning: volume enclosed twice counts twice);
+/// - `mesh.unchecked`: intersections were not searched ([`ClosedMesh::unchecked`]).
 ///
 /// Errors:
 ///
@@ -66,8 +67,8 @@ pub struct ClosedMesh {
 }
 
 impl ClosedMesh {
-    /// Returns the solid that the mesh bounds. It uses all threads of the machine; the result does
-    /// not depend on their number.
+    /// Returns the solid that the mesh bounds. For a large mesh it uses all threads of the machine;
+    /// the result does not depend on their number.
     ///
     /// # Errors
     /// [`BodyError::Empty`], [`BodyError::OpenMesh`], [`BodyError::Unorientable`],
@@ -85,7 +86,7 @@ impl ClosedMesh {
     /// # Errors
     /// The errors of [`ClosedMesh::of`].
     pub fn watched(mesh: &TriangleMesh, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, BodyError> {
-        Self::on(mesh, Sought::All, Threads::of_machine(), 0, goes_on)
+        Self::on(mesh, Sought::All, Threads::for_triangles(mesh.triangles.len()), 0, goes_on)
             .map(|(solid, _)| solid)
             .map_err(|flaws| flaws.first)
     }
@@ -136,7 +137,33 @@ impl ClosedMesh {
         most: usize,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<(Self, MeshPlaces), Box<MeshFlaws>> {
-        Self::on(mesh, Sought::All, Threads::of_machine(), most, goes_on)
+        Self::on(mesh, Sought::All, Threads::for_triangles(mesh.triangles.len()), most, goes_on)
+    }
+
+    /// Works like [`ClosedMesh::watched`], but does not search for triangles that intersect each
+    /// other. It checks that edges match in pairs, orientations, and which parts lie in others. A
+    /// finding, `mesh.unchecked`, says so.
+    ///
+    /// Use it for meshes that were checked before, or that are sound by construction: a volume that
+    /// the surface encloses twice counts twice.
+    ///
+    /// # Errors
+    /// [`MeshFlaws`], whose first error is one of [`ClosedMesh::of`], except for overlaps.
+    ///
+    /// ```
+    /// use polhode::body::mesh::{ClosedMesh, TriangleMesh};
+    /// let [o, x, y, z] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let mesh = TriangleMesh::of_triangles(&[[o, y, x], [o, x, z], [o, z, y], [x, y, z]])?;
+    /// let corner = ClosedMesh::unchecked(&mesh, &|| true).map_err(|flaws| flaws.first)?;
+    /// assert_eq!((corner.volume(), corner.findings()[0].code), (1.0, "mesh.unchecked"));
+    /// # Ok::<(), polhode::body::BodyError>(())
+    /// ```
+    pub fn unchecked(
+        mesh: &TriangleMesh,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, Box<MeshFlaws>> {
+        let threads = Threads::for_triangles(mesh.triangles.len());
+        Self::on(mesh, Sought::NoIntersections, threads, 0, goes_on).map(|(solid, _)| solid)
     }
 
     fn on(
@@ -161,7 +188,8 @@ impl ClosedMesh {
         let proper = given.filter(|(t, _)| patches.component[*t] != NONE);
         let turned =
             proper.map(|(t, &[a, b, c])| if patches.against[t] == inverted { [a, b, c] } else { [a, c, b] });
-        let triangles = turned.collect();
+        let mut triangles = Vec::with_capacity(surface.triangles.len());
+        triangles.extend(turned);
         let given = core::mem::replace(&mut surface.triangles, triangles);
         match measured(&surface, threads) {
             Ok(integrals) => {
@@ -188,7 +216,7 @@ impl ClosedMesh {
             return Ok(self);
         }
         let surface = self.surface.scaled(factor);
-        let integrals = measured(&surface, Threads::of_machine())?;
+        let integrals = measured(&surface, Threads::for_triangles(surface.triangles.len()))?;
         let diagnosis = self.diagnosis.scaled(factor);
         let findings = findings(&diagnosis, self.inverted);
         Ok(Self { surface, diagnosis, findings, integrals, ..self })
@@ -416,6 +444,10 @@ fn findings(diagnosis: &MeshDiagnosis, inverted: bool) -> Vec<Finding> {
     if let Some(pair) = diagnosis.back_to_back.first.or(diagnosis.contacts.first) {
         let message = format!("{} of triangles lie on each other, back to back", counted(touching));
         say("mesh.touching", Severity::Info, message, Some(pair.triangles[0]));
+    }
+    if diagnosis.unsearched {
+        let message = "not checked for self-intersections: what the surface encloses twice counts twice";
+        say("mesh.unchecked", Severity::Info, message.to_owned(), None);
     }
     findings
 }

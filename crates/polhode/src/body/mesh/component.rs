@@ -256,9 +256,10 @@ impl VolumeSums {
         }
         self.triangles += 1;
         for p in triangle {
+            // Coordinates are finite, so that comparisons suffice.
             for (k, c) in p.into_iter().enumerate() {
-                self.low[k] = self.low[k].min(c);
-                self.high[k] = self.high[k].max(c);
+                self.low[k] = if c < self.low[k] { c } else { self.low[k] };
+                self.high[k] = if c > self.high[k] { c } else { self.high[k] };
             }
         }
         if against {

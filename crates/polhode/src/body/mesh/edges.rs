@@ -1,5 +1,6 @@
 //! Edges of a mesh and the triangles that meet there.
 
+use core::ops::Range;
 use std::collections::{HashMap, HashSet};
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -76,26 +77,16 @@ impl Edges {
         self.twin[half as usize].load(Ordering::Relaxed)
     }
 
-    fn find(&mut self, corners: &[[u32; 3]], lower: core::ops::Range<u32>, twin: &[AtomicU32]) {
-        let each = |f: &mut dyn FnMut(usize, u32, u32)| {
-            for (t, corner) in corners.iter().enumerate().filter(|(_, c)| is_proper(c)) {
-                for k in 0..3 {
-                    let (a, b) = (corner[k], corner[(k + 1) % 3]);
-                    if lower.contains(&a.min(b)) {
-                        f((a.min(b) - lower.start) as usize, a.max(b), (3 * t + k) as u32);
-                    }
-                }
-            }
-        };
+    fn find(&mut self, corners: &[[u32; 3]], lower: Range<u32>, twin: &[AtomicU32]) {
         // Buckets by the lower vertex, counted before they are filled.
         let mut start = vec![0_u32; lower.len() + 1];
-        each(&mut |v, _, _| start[v + 1] += 1);
+        for_each_edge(corners, &lower, |v, _, _| start[v + 1] += 1);
         for v in 0..lower.len() {
             start[v + 1] += start[v];
         }
         let mut entries = vec![0_u64; start[lower.len()] as usize];
         let mut next = start.clone();
-        each(&mut |v, high, half| {
+        for_each_edge(corners, &lower, |v, high, half| {
             entries[next[v] as usize] = (u64::from(high) << 32) | u64::from(half);
             next[v] += 1;
         });
@@ -137,6 +128,20 @@ impl Edges {
                     let (g, h) = (pair[0].1, pair[1].1);
                     self.duplicates.push((g / 3, h / 3, start(g) == start(h)));
                 }
+            }
+        }
+    }
+}
+
+/// Calls `f` for each half-edge whose lower end is in a range: with the position of the lower end in
+/// the range, the higher end, and the half-edge.
+#[inline(always)]
+fn for_each_edge(corners: &[[u32; 3]], lower: &Range<u32>, mut f: impl FnMut(usize, u32, u32)) {
+    for (t, corner) in corners.iter().enumerate().filter(|(_, corner)| is_proper(corner)) {
+        let [p, q, r] = *corner;
+        for (k, (a, b)) in [(p, q), (q, r), (r, p)].into_iter().enumerate() {
+            if lower.contains(&a.min(b)) {
+                f((a.min(b) - lower.start) as usize, a.max(b), (3 * t + k) as u32);
             }
         }
     }

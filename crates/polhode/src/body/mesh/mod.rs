@@ -26,6 +26,7 @@ mod predicate;
 mod scaled;
 pub(crate) mod shell;
 mod sought;
+mod star;
 mod threads;
 mod tree;
 mod umbrella;

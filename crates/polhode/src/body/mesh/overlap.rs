@@ -1,4 +1,4 @@
-//! Self-intersections of a surface.
+//! Self-intersections of a surface, where neither `star.rs` nor `layer.rs` excludes them.
 //!
 //! A closed mesh is valid if its winding number is 0 or 1 everywhere. This holds if none of these
 //! tests finds a fault:
@@ -25,7 +25,7 @@ use super::meeting::Meeting;
 use super::neighborhood::Neighborhoods;
 use super::oriented::OrientedTree;
 use super::patches::Patches;
-use super::predicate::side;
+use super::predicate::{Plane, side};
 use super::sought::Sought;
 use super::threads::Threads;
 use super::tree::Tree;
@@ -194,16 +194,22 @@ impl Search<'_> {
         let goes_on = || self.windings.work.goes_on();
         let near = Work::of(near, &goes_on);
         let boxes = tree.boxes(self.windings.welded, self.threads);
-        let Windings { patches, .. } = self.windings;
+        let Windings { welded, patches, .. } = self.windings;
+        let planes: Vec<Plane> =
+            tree.order().iter().map(|&t| Plane::of(&welded.triangle(t as usize))).collect();
         let surfaces = (self.sought == Sought::FirstError)
             .then(|| tree.alike(|triangle| patches.surface(triangle as usize)));
         let all = self.pieces(tree.leaves().div_ceil(LEAVES), |piece, look_at| {
             let leaves = piece * LEAVES..((piece + 1) * LEAVES).min(tree.leaves());
             let mut pairs = 0;
-            tree.pairs(&boxes, surfaces.as_deref(), leaves, |t, u| {
+            tree.pairs(&boxes, surfaces.as_deref(), leaves, |i, j| {
                 pairs += 1;
                 if pairs % SOME_PAIRS == 0 && !near.take(SOME_PAIRS) {
                     return ControlFlow::Break(());
+                }
+                let [t, u] = [tree.order()[i], tree.order()[j]];
+                if is_beside(welded, &planes[i], t, u) || is_beside(welded, &planes[j], u, t) {
+                    return ControlFlow::Continue(());
                 }
                 look_at(t, u)
             });
@@ -252,6 +258,20 @@ impl Search<'_> {
         [&mut all.between, &mut all.within, &mut all.contacts].into_iter().for_each(Overlaps::sort);
         all
     }
+}
+
+/// Returns true if the corners of a triangle that are not those of another one are certainly all on
+/// the same side of its plane. Then the triangles do not intersect.
+#[inline(always)]
+fn is_beside(welded: &Welded, plane: &Plane, triangle: u32, other: u32) -> bool {
+    let [p, q, r] = welded.corners[triangle as usize];
+    let (mut above, mut below) = (true, true);
+    for corner in welded.corners[other as usize] {
+        let shared = (corner == p) | (corner == q) | (corner == r);
+        let side = plane.certain_side(&welded.points[corner as usize]);
+        (above, below) = (above & (shared | (side > 0.0)), below & (shared | (side < 0.0)));
+    }
+    above | below
 }
 
 /// Returns true if the winding numbers next to a corner of a triangle that lies on another triangle

@@ -57,7 +57,8 @@ pub struct MeshPlaces {
 impl MeshDiagnosis {
     /// Diagnoses the mesh and returns the first places of each kind, at most `most` of each.
     pub fn with_places(mesh: &TriangleMesh, most: usize) -> (Self, MeshPlaces) {
-        let analysis = Analysis::of(mesh, Sought::All, Threads::of_machine(), &|| true);
+        let analysis =
+            Analysis::of(mesh, Sought::All, Threads::for_triangles(mesh.triangles.len()), &|| true);
         let places = MeshPlaces::of(&analysis, most);
         (analysis.diagnosis, places)
     }

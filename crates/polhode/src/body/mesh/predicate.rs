@@ -34,6 +34,40 @@ fn exact_side(triangle: [[f64; 3]; 3], p: [f64; 3]) -> f64 {
     -orient3d(a, b, c, coord(p))
 }
 
+/// Plane of a triangle in f64, for quick tests of many points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plane {
+    corner: [f64; 3],
+    normal: [f64; 3],
+    /// Bound of the error of a distance along each axis, relative to that distance.
+    bound: f64,
+}
+
+impl Plane {
+    #[inline(always)]
+    pub(crate) fn of([a, b, c]: &[[f64; 3]; 3]) -> Self {
+        let [bx, by, bz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+        let [cx, cy, cz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+        let ([p, q, r], [u, v, w]) = ([by * cz, bz * cx, bx * cy], [bz * cy, bx * cz, by * cx]);
+        let products = (p.abs() + u.abs()).max(q.abs() + v.abs()).max(r.abs() + w.abs());
+        Self { corner: *a, normal: [p - u, q - v, r - w], bound: SURE_PLANE * products }
+    }
+
+    /// Returns a value with the sign of [`side`] if that sign is certain, otherwise 0.
+    #[inline(always)]
+    pub(crate) fn certain_side(&self, p: &[f64; 3]) -> f64 {
+        let Self { corner: a, normal: n, bound } = self;
+        let [x, y, z] = [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+        let side = n[0] * x + n[1] * y + n[2] * z;
+        let error = bound * (x.abs() + y.abs() + z.abs()) + f64::MIN_POSITIVE;
+        if side.abs() > error { side } else { 0.0 }
+    }
+}
+
+/// Error bound of the terms of [`Plane::certain_side`], ε = 2⁻⁵³: a term has three differences, two
+/// products and three sums, so that it is exact to about 8 ε; doubled for the rounding of the bound.
+const SURE_PLANE: f64 = 1.8e-15;
+
 /// Returns a positive value if a, b, p are in counter-clockwise order, and 0 if they are collinear.
 pub(crate) fn turn(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     let coord = |[x, y]: [f64; 2]| Coord { x, y };
@@ -77,7 +111,7 @@ mod tests {
     fn signs_are_those_of_integers() {
         // Points on and next to an oblique plane, for which f64 alone gives wrong signs.
         let (a, b, c) = ([0.1, 0.2, 0.3], [1.7, 0.1, -0.4], [0.6, 0.9, 0.8]);
-        let (mut unsure, scale) = (0, 2.0_f64.powi(40));
+        let (mut unsure, mut sure, scale) = (0, 0, 2.0_f64.powi(40));
         let grid = |p: [f64; 3]| p.map(|x: f64| (x * scale).round());
         let [a, b, c] = [a, b, c].map(grid);
         for k in 0..1000 {
@@ -88,9 +122,13 @@ mod tests {
             let exact = (y * w - z * v) * p0 + (z * u - x * w) * p1 + (x * v - y * u) * p2;
             assert_eq!(side([a, b, c], p).partial_cmp(&0.0), exact.partial_cmp(&0));
             assert_eq!(side([b, a, c], p).partial_cmp(&0.0), 0.partial_cmp(&exact));
+            let certain = Plane::of(&[a, b, c]).certain_side(&p);
+            assert!(certain == 0.0 || certain.signum() == exact.signum() as f64, "{certain} {exact}");
+            let far = core::array::from_fn(|i| p[i] + 1e-9 * (a[i] - 2.0 * b[i]) + 3e-8 * c[(i + 1) % 3]);
+            sure += usize::from(Plane::of(&[a, b, c]).certain_side(&far) != 0.0);
             unsure += usize::from(exact.abs() < 1 << 90);
         }
-        assert!(unsure > 0);
+        assert!(unsure > 0 && sure > 900, "{sure}");
     }
 
     #[test]

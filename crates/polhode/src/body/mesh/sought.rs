@@ -7,4 +7,6 @@ pub(crate) enum Sought {
     All,
     /// The solid that the mesh bounds, or the first error, without remarks.
     FirstError,
+    /// Everything that follows from edges, orientations and nesting, without intersections.
+    NoIntersections,
 }

@@ -192,14 +192,14 @@ impl Tree {
     }
 
     /// Calls `pair` for every two triangles whose [`Tree::boxes`] intersect and the first of which
-    /// is in one of the leaves, until it breaks. If `alike` (from [`Tree::alike`]) is given, pairs
-    /// with the same value are skipped.
+    /// is in one of the leaves, until it breaks. Its arguments are positions in [`Tree::order`]. If
+    /// `alike` (from [`Tree::alike`]) is given, pairs with the same value are skipped.
     pub(crate) fn pairs(
         &self,
         boxes: &[Bounds],
         alike: Option<&[u32]>,
         leaves: Range<usize>,
-        mut pair: impl FnMut(u32, u32) -> ControlFlow<()>,
+        mut pair: impl FnMut(usize, usize) -> ControlFlow<()>,
     ) {
         let mut waiting = Vec::with_capacity(64);
         for leaf in leaves {
@@ -208,31 +208,34 @@ impl Tree {
             let is_alike = |node: usize| same != NONE && alike.is_some_and(|alike| alike[node] == same);
             for i in own.clone().filter(|_| same == NONE) {
                 for j in i + 1..own.end {
-                    if boxes[i].meets(&boxes[j]) && pair(self.order[i], self.order[j]).is_break() {
+                    if boxes[i].meets(&boxes[j]) && pair(i, j).is_break() {
                         return;
                     }
                 }
             }
             let about = self.nodes[self.leaves + leaf];
-            waiting.push((1, self.leaves));
-            while let Some((node, covered)) = waiting.pop() {
-                // Visits only later leaves, so that every pair occurs once.
-                if (node + 1) * covered - self.leaves <= leaf + 1
-                    || !self.nodes[node].meets(&about)
-                    || is_alike(node)
-                {
+            // Visits only later leaves, so that every pair occurs once: those under the right
+            // neighbours of the nodes above this leaf.
+            let mut above = self.leaves + leaf;
+            while above > 1 {
+                if above.is_multiple_of(2) {
+                    waiting.push(above + 1);
+                }
+                above /= 2;
+            }
+            while let Some(node) = waiting.pop() {
+                if !self.nodes[node].meets(&about) || is_alike(node) {
                     continue;
                 }
-                if covered > 1 {
-                    waiting.push((2 * node, covered / 2));
-                    waiting.push((2 * node + 1, covered / 2));
+                if node < self.leaves {
+                    waiting.extend([2 * node, 2 * node + 1]);
                     continue;
                 }
                 let first = (node - self.leaves) * LEAF;
                 for j in first..(first + LEAF).min(self.order.len()) {
                     if boxes[j].meets(&about) {
                         for i in own.clone() {
-                            if boxes[i].meets(&boxes[j]) && pair(self.order[i], self.order[j]).is_break() {
+                            if boxes[i].meets(&boxes[j]) && pair(i, j).is_break() {
                                 return;
                             }
                         }
@@ -396,9 +399,19 @@ impl Key {
 
 const DIGITS: usize = 1 << 10;
 
+/// Number of keys below which comparisons sort them faster than digits.
+const FEW: usize = 1 << 10;
+
 /// Returns the triangles sorted by code; equal codes keep their order. Each thread sorts the codes
 /// with certain leading digits.
 fn sorted(pieces: &[Vec<Key>], threads: Threads) -> Vec<u32> {
+    if let [keys] = pieces
+        && keys.len() < FEW
+    {
+        let mut keys: Vec<u64> = keys.iter().map(|key| key.0).collect();
+        keys.sort_unstable();
+        return keys.into_iter().map(|key| key as u32).collect();
+    }
     let all = || pieces.iter().flatten().copied();
     let mut counts = [0; DIGITS];
     all().for_each(|key| counts[key.digit(2)] += 1);

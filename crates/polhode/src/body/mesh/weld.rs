@@ -34,7 +34,9 @@ impl Welded {
     /// Returns the corners of a triangle, in scaled units.
     #[inline(always)]
     pub(crate) fn triangle(&self, t: usize) -> [[f64; 3]; 3] {
-        self.corners[t].map(|v| self.points[v as usize])
+        // `map` is not inlined on every target.
+        let [a, b, c] = self.corners[t];
+        [self.points[a as usize], self.points[b as usize], self.points[c as usize]]
     }
 
     /// Converts a point to the mesh's own unit of length.
@@ -61,7 +63,7 @@ impl TriangleMesh {
 fn shared(mesh: &TriangleMesh, threads: Threads) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let vertices = mesh.coordinates();
     let first = first_equal(vertices, threads);
-    let mut points = Vec::new();
+    let mut points = Vec::with_capacity(vertices.len().min(mesh.triangles().len()));
     let mut number = vec![NONE; vertices.len()];
     let mut numbered = |index: u32| {
         let near = first[index as usize].load(Ordering::Relaxed);
@@ -72,7 +74,7 @@ fn shared(mesh: &TriangleMesh, threads: Threads) -> (Vec<[f64; 3]>, Vec<[u32; 3]
         }
         number[first]
     };
-    let corners = mesh.triangles().iter().map(|corners| corners.map(&mut numbered)).collect();
+    let corners = mesh.triangles().iter().map(|&[a, b, c]| [numbered(a), numbered(b), numbered(c)]).collect();
     (points, corners)
 }
 
@@ -103,6 +105,9 @@ fn first_equal(vertices: &[[f64; 3]], threads: Threads) -> Vec<AtomicU32> {
         }
         dealt
     });
+    if let [_] = &dealt[..] {
+        return first; // one piece has found all
+    }
     threads.map(parts, |part| {
         let all = || dealt.iter().flat_map(|piece| &piece[part]);
         let mut table = Table::of(dealt.iter().map(|piece| piece[part].len()).sum());

@@ -31,7 +31,8 @@ pub(super) fn met(
     let boxes = doubtful.boxes(welded, threads);
     let found = threads.map_pieces(doubtful.leaves(), LEAVES, |leaves| {
         let mut found = Vec::new();
-        doubtful.pairs(&boxes, None, leaves, |t, u| {
+        doubtful.pairs(&boxes, None, leaves, |i, j| {
+            let [t, u] = [doubtful.order()[i], doubtful.order()[j]];
             if !work.take(PAIR) {
                 return ControlFlow::Break(());
             }

@@ -7,6 +7,7 @@ import json
 import pickle
 import threading
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import polhode
@@ -236,3 +237,40 @@ def test_a_free_motion_knows_what_its_inputs_are_worth() -> None:
     assert (apart < 4 * error.inputs_attitude).all() and (apart > 0.05 * error.inputs_attitude)[:2].all()
     with pytest.raises(polhode.PolhodeError, match="too far away"):
         motion.error([1e40])
+
+
+def test_a_body_is_simulated_without_a_scenario() -> None:
+    body = polhode.MassProperties(mass=2.0, inertia=[[3.1, -0.4, 0.3], [-0.4, 4.2, -0.2], [0.3, -0.2, 5.3]])
+    omega, attitude = [0.3, -0.5, 0.9], [0.4, -0.7, 1.1, 0.3]
+    drag = polhode.scenario.Drag(law="linear", coefficient=0.2)
+    constant = polhode.scenario.ConstantTorque(axes="body", torque=[0.1, -0.2, 0.3])
+
+    def law(t: float, omega: Any) -> Any:
+        return 0.1 * np.sin(t) * omega
+
+    def branches(t: float) -> list[float]:
+        return [0.1 if t < 1.0 else 0.0, 0.0, 0.0]
+
+    given = [(drag, [drag]), ([drag, constant], [drag, constant]), ([0.1, -0.2, 0.3], [constant]), (np.array([0.1, -0.2, 0.3]), [constant])]
+    given += [(law, [polhode.scenario.torque(law)]), (branches, [polhode.scenario.FunctionTorque(function=branches, axes="body")]), (None, [])]
+    for short, torques in given:
+        start, run = polhode.scenario.Start(omega=omega, attitude=attitude), polhode.scenario.Run(duration=3.0, samples=4)
+        whole = polhode.simulate(polhode.Scenario(body, start=start, torques=torques, run=run))
+        found = polhode.simulate(body, omega=omega, attitude=attitude, torque=short, duration="3 s", samples=4)
+        assert (found.omega == whole.omega).all() and (found.attitude == whole.attitude).all()
+        timed = polhode.simulate(body, omega=omega, attitude=attitude, torque=short, times=[0.0, 1.0, 2.0, 3.0])
+        assert (timed.omega == whole.omega).all()
+
+
+def test_what_a_body_lacks_is_said() -> None:
+    body = polhode.MassProperties(mass=2.0, inertia=[1.0, 2.0, 2.5])
+    scenario = polhode.Scenario(body, start=polhode.scenario.Start(omega=[0, 0, 1]), run=polhode.scenario.Run(duration=1.0))
+    for expected, call in {
+        "omega is missing": lambda: polhode.simulate(body, duration=1.0),
+        "either a duration": lambda: polhode.simulate(body, omega=[0, 0, 1]),
+        "samples is for a duration": lambda: polhode.simulate(body, omega=[0, 0, 1], times=[0.0, 1.0], samples=3),
+        "torque must have the shape": lambda: polhode.simulate(body, omega=[0, 0, 1], duration=1.0, torque=[1.0, 2.0]),
+        "omega, duration: these arguments are for a body": lambda: polhode.simulate(scenario, omega=[0, 0, 1], duration=1.0),
+    }.items():
+        with pytest.raises(polhode.PolhodeError, match=expected):
+            call()

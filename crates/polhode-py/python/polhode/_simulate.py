@@ -3,35 +3,57 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
 
+import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _native
+from ._body import Body
 from ._computed_function import Called
 from ._error import PolhodeError, warn
-from ._mass_properties import Finding, warn_of
+from ._mass_properties import Finding, MassProperties, warn_of
 from ._motion import Motion
 from ._scenario import Scenario
+from ._units import Quantity
+from .scenario import ConstantTorque, FunctionTorque, Run, Start, Torque, torque as traced
 
 
 def simulate(
-    scenario: Scenario | str | os.PathLike[str],
+    scenario: Scenario | MassProperties | Body | str | os.PathLike[str],
     *,
+    omega: npt.ArrayLike | None = None,
+    attitude: Any = None,
+    torque: Torque | Sequence[Torque] | Callable[..., Any] | npt.ArrayLike | None = None,
+    duration: Quantity | None = None,
+    samples: int | None = None,
     times: npt.ArrayLike | None = None,
     error: str = "auto",
     derivatives: Sequence[str] | None = None,
 ) -> Motion:
-    """Computes the motion of a :class:`Scenario`, of a scenario's file, or of its text.
+    """Computes the motion of a :class:`Scenario`, of a scenario's file or its text, or of a body.
 
     Parameters
     ----------
     scenario
         A :class:`Scenario`, a path, or a text. A text is a ``str`` of more than one line, and its
         paths are relative to the current folder. The files of a :class:`Scenario` are read when it
-        is made.
+        is made. Or a :class:`MassProperties` or a :class:`Body`, with the following five arguments.
+    omega
+        Angular velocity (3,) of a body at t = 0, body axes, rad/s.
+    attitude
+        Attitude of a body at t = 0, as in :class:`polhode.scenario.Start`.
+    torque
+        Torque on a body: one or several of :mod:`polhode.scenario`, three constant components along
+        body axes, N·m, or a Python function of the state as in :func:`polhode.scenario.torque`.
+    duration
+        Duration, s, of the motion of a body.
+    samples
+        Number of sample times of a body, evenly spaced from 0 to the end. The default is 1001.
     times
-        Times (n,), s, ascending, which replace those of ``[run]``.
+        Times (n,), s, ascending, instead of ``duration`` and ``samples``. They replace those of
+        ``[run]``.
     error
         Method of the estimate :attr:`Motion.error`: ``"thorough"`` costs 12 to 20 times as much as
         the motion, ``"cheap"`` three to seven times, and ``"none"`` nothing: the error is then
@@ -59,7 +81,11 @@ def simulate(
 
     Examples
     --------
-    >>> import polhode
+    >>> import numpy as np, polhode
+    >>> body = polhode.MassProperties(mass=1.0, inertia=[1.0, 2.0, 2.5])
+    >>> driven = polhode.simulate(body, omega=[0.0, 0.0, 1.0], torque=lambda t: [0.0, 0.0, 5.0 * np.cos(2.0 * t)], times=[0.0, 1.0])
+    >>> driven.omega[-1, 2].round(12) == (1.0 + np.sin(2.0)).round(12)  # ω = ω₀ + ∫ N dt/I
+    np.True_
     >>> motion = polhode.simulate('''
     ... [[body.part]]
     ... shape = "box"
@@ -112,6 +138,13 @@ def simulate(
     functions: list[tuple[int, bool, Called]] = []
     measures: list[tuple[int, bool, Called]] = []
     source: _native.ReadScenario | tuple[str, str | None]
+    given = {"omega": omega, "attitude": attitude, "torque": torque, "duration": duration, "samples": samples}
+    given = {name: value for name, value in given.items() if value is not None}
+    if isinstance(scenario, (MassProperties, Body)):
+        scenario = _of_body(scenario, times, **given)
+    elif given:
+        has = ", ".join(given)
+        raise PolhodeError(f"{has}: these arguments are for a body, and this is a scenario, which has its own [start], [[torque]] and [run]")
     if isinstance(scenario, Scenario):
         source, functions, measures = scenario._read, scenario._functions(), scenario._measures()
     elif isinstance(scenario, str) and "\n" in scenario:
@@ -130,6 +163,44 @@ def simulate(
     warn_of_scenario(motion.findings)
     motion._warn_of_failure()
     return motion
+
+
+def _of_body(
+    body: MassProperties | Body,
+    times: npt.ArrayLike | None,
+    *,
+    omega: npt.ArrayLike | None = None,
+    attitude: Any = None,
+    torque: Any = (),
+    duration: Quantity | None = None,
+    samples: int | None = None,
+) -> Scenario:
+    """Makes the scenario of a body."""
+    if omega is None:
+        raise PolhodeError("omega is missing: give the angular velocity (3,) of the body at t = 0, body axes, rad/s")
+    if (duration is None) == (times is None):
+        raise PolhodeError("give the body either a duration, with or without samples, or times")
+    if samples is not None and times is not None:
+        raise PolhodeError("samples is for a duration: times are the sample times themselves")
+    run = None if duration is None else Run(duration=duration, samples=samples)
+    return Scenario(body, start=Start(omega=omega, attitude=attitude), torques=_torques_of(torque), run=run)
+
+
+def _torques_of(torque: Any) -> list[Torque]:
+    """Converts a torque model, several of them, a function, or three components, to models."""
+    if isinstance(torque, Torque):
+        return [torque]
+    if callable(torque):
+        try:
+            return [traced(torque)]
+        except (TypeError, PolhodeError):
+            # What is not a formula is called; a mistake in it is raised again there.
+            return [FunctionTorque(function=torque, axes="body")]
+    several = list(torque) if isinstance(torque, Iterable) and not isinstance(torque, (str, np.ndarray)) else None
+    if several is not None and all(isinstance(one, Torque) for one in several):
+        return several
+    components = _arrays.numbers("torque", torque, (3,))
+    return [ConstantTorque(axes="body", torque=components.tolist())]
 
 
 def _keys(derivatives: Sequence[str] | None) -> list[str] | None:

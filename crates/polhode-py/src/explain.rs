@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use polhode_scenario::report::explain_exactly;
+use polhode_scenario::report::{Formalism, LagrangianError, explain_exactly, lagrangian};
 use pyo3::prelude::*;
 
-use crate::error::Raise;
+use crate::error::{Raise, refused};
 use crate::scenario;
 
 /// Line width of the text, characters.
@@ -21,16 +21,34 @@ pub(crate) struct Explained {
     latex: String,
 }
 
-/// Explains a scenario from a file or a text. Paths in a text are relative to `path`.
+/// Explains a scenario from a file or a text, by the formalism "newton", "lagrange" or "hamilton".
+/// Paths in a text are relative to `path`.
 ///
 /// # Errors
-/// `PolhodeError` if the scenario cannot be read or computed.
+/// `PolhodeError` if the scenario cannot be read or computed, or has no known Lagrangian.
 #[pyfunction]
-pub(crate) fn explain_scenario(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult<Explained> {
+pub(crate) fn explain_scenario(
+    py: Python<'_>,
+    path: PathBuf,
+    text: Option<String>,
+    formalism: &str,
+) -> PyResult<Explained> {
     py.detach(|| {
         let file = scenario::read(path, text).map_err(Raise::raise)?;
-        let document = explain_exactly(&file.scenario, &file.exact())
-            .map_err(|error| file.placed(&error).map_or_else(|| error.raise(), Raise::raise))?;
+        let of_motion = |error: polhode::motion::MotionError| {
+            file.placed(&error).map_or_else(|| error.raise(), Raise::raise)
+        };
+        let by = |formalism| {
+            lagrangian(&file.scenario, formalism, &file.exact()).map_err(|error| match error {
+                LagrangianError::Motion(error) => of_motion(error),
+                error => refused(error.to_string(), error.hint()),
+            })
+        };
+        let document = match formalism {
+            "lagrange" => by(Formalism::Lagrange)?,
+            "hamilton" => by(Formalism::Hamilton)?,
+            _ => explain_exactly(&file.scenario, &file.exact()).map_err(of_motion)?,
+        };
         Ok(Explained {
             json: document.to_json().to_string(),
             text: document.to_text(WIDTH),

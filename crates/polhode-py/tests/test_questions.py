@@ -239,3 +239,12 @@ def test_a_density_may_be_a_formula(tmp_path: Path) -> None:
     ):
         with pytest.raises(polhode.PolhodeError, match=says):
             polhode.inertia(path, unit="cm", **options)
+
+
+def test_a_solution_by_lagrange_and_hamilton_is_that_of_the_command() -> None:
+    path = EXAMPLES / "notes" / "11-04-pendulum.toml"
+    for formalism, option in {"lagrange": "--lagrangian", "hamilton": "--hamiltonian"}.items():
+        solution = polhode.explain(path, formalism=formalism)
+        assert solution.to_dict() == command("explain", path, option, "--json")
+    with pytest.raises(polhode.PolhodeError, match="must be one of newton, lagrange, hamilton"):
+        polhode.explain(path, formalism="galilei")

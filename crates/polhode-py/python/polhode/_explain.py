@@ -7,7 +7,7 @@ import os
 from dataclasses import dataclass
 from typing import Any
 
-from . import _native
+from . import _arrays, _native
 from ._error import in_python
 from ._public import public
 from ._record import Record
@@ -55,13 +55,17 @@ class Explanation(Record):
         return self.markdown
 
 
-def explain(scenario: str | os.PathLike[str] | Scenario) -> Explanation:
+def explain(scenario: str | os.PathLike[str] | Scenario, *, formalism: str = "newton") -> Explanation:
     """Makes the worked solution of a scenario, step by step, as ``polhode explain`` does.
 
     Parameters
     ----------
     scenario
         A path, or a text of more than one line, as for :func:`simulate`, or a :class:`Scenario`.
+    formalism
+        ``"newton"`` for Euler's equations and the motion; ``"lagrange"`` for T, U, momenta, Lagrange's
+        equations, conserved quantities and small oscillations; ``"hamilton"`` for Hamilton's
+        equations.
 
     Returns
     -------
@@ -71,8 +75,8 @@ def explain(scenario: str | os.PathLike[str] | Scenario) -> Explanation:
     Raises
     ------
     PolhodeError
-        If the scenario cannot be read or computed, or has torques that are Python functions, which
-        have no known formula.
+        If the scenario cannot be read or computed, has torques that are Python functions, which
+        have no known formula, or has no known Lagrangian.
 
     Examples
     --------
@@ -91,7 +95,8 @@ def explain(scenario: str | os.PathLike[str] | Scenario) -> Explanation:
     >>> solution.title, solution.latex.startswith(r"\\documentclass")
     ('A spinning box', True)
     """
-    found = _native.explain_scenario(*formula_source(scenario))
+    formalism = _arrays.choice("formalism", formalism, ["newton", "lagrange", "hamilton"])
+    found = _native.explain_scenario(*formula_source(scenario), formalism)
     return Explanation(
         title=str(json.loads(found["json"])["title"]),
         text=in_python(found["text"]),

@@ -100,15 +100,15 @@ pub(in crate::motion) enum VectorOperation {
     Cross(usize, usize),
     /// Component-wise product.
     Product(usize, usize),
-    /// Component-wise quotient.
+    /// Quotient, component by component.
     Quotient(usize, usize),
-    /// Component-wise ∫ of' by; see [`ScalarOperation::IntegralBy`].
+    /// ∫ of' by, component by component; see [`ScalarOperation::IntegralBy`].
     IntegralBy {
         start: Unary,
         of: usize,
         by: usize,
     },
-    /// Component-wise ∫ of'/over.
+    /// ∫ of'/over, component by component.
     IntegralOver {
         start: Unary,
         of: usize,

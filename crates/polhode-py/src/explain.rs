@@ -41,7 +41,7 @@ pub(crate) fn explain_scenario(
         let by = |formalism| {
             lagrangian(&file.scenario, formalism, &file.exact()).map_err(|error| match error {
                 LagrangianError::Motion(error) => of_motion(error),
-                error => refused(error.to_string(), error.hint()),
+                error => refused(error.to_string(), Some(error.hint())),
             })
         };
         let document = match formalism {

@@ -52,9 +52,9 @@ impl Part {
             Self::Quaternion => array(&state.attitude.quaternion()),
             Self::Momentum => {
                 let along_body = momentum().map(|momentum| state.attitude.inverse() * momentum);
-                array(&along_body.map_or([f64::NAN; 3], |momentum| momentum.to_array()))
+                array(&along_body.map_or([f64::NAN; 3], polhode::math::Vector::to_array))
             }
-            Self::MomentumSpace => array(&momentum().map_or([f64::NAN; 3], |momentum| momentum.to_array())),
+            Self::MomentumSpace => array(&momentum().map_or([f64::NAN; 3], polhode::math::Vector::to_array)),
         }
     }
 }

@@ -31,7 +31,7 @@ impl Graph {
             Separator { graph: self.clone(), joint, numbers: Vec::new(), vectors: Vec::new() };
         self.operations.iter().for_each(|operation| separator.take(*operation));
         let Separator { graph, vectors, .. } = separator;
-        let Parts { linear, timed, rest } = vectors.get(self.torque).cloned().unwrap_or_default();
+        let Parts { linear, timed, rest } = vectors.get(self.torque).copied().unwrap_or_default();
         let linear = linear.filter(|linear| !linear.is_zero());
         let is_one = linear.is_none() && timed.is_none();
         if is_one || linear.as_ref().is_some_and(|linear| !linear.is_finite()) {
@@ -55,7 +55,7 @@ impl Graph {
 
 /// Summands of a value, if present: a linear function of the state, and the places of a function of
 /// time and of the rest.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Parts {
     linear: Option<Linear>,
     timed: Option<usize>,
@@ -176,30 +176,26 @@ impl Separator {
                 Parts::linear(Linear { constant: [x, 0.0, 0.0], ..Linear::NONE })
             }
             Op::Time => Parts { timed: Some(own), ..Parts::default() },
-            Op::Negate(a) => {
-                self.image(self.numbers[a].clone(), own, &scale(-1.0), new(|a, _| Op::Negate(a), 0))
-            }
+            Op::Negate(a) => self.image(self.numbers[a], own, &scale(-1.0), new(|a, _| Op::Negate(a), 0)),
             Op::Scale(a, k) => {
                 let by = self.graph.constants.get(k).copied().unwrap_or(f64::NAN);
-                self.image(self.numbers[a].clone(), own, &scale(by), new(Op::Scale, k))
+                self.image(self.numbers[a], own, &scale(by), new(Op::Scale, k))
             }
             Op::Component(v, k) => {
                 let mut row = [[0.0; 3]; 3];
                 row[0][k] = 1.0;
-                self.image(self.vectors[v].clone(), own, &row, new(Op::Component, k))
+                self.image(self.vectors[v], own, &row, new(Op::Component, k))
             }
             Op::Add(a, b) => {
-                let of = [a, b].map(|a| self.numbers[a].clone());
+                let of = [a, b].map(|a| self.numbers[a]);
                 self.sum(of, own, 1.0, [&|a, b| Operation::Scalar(Op::Add(a, b)), negate])
             }
             Op::Subtract(a, b) => {
-                let of = [a, b].map(|a| self.numbers[a].clone());
+                let of = [a, b].map(|a| self.numbers[a]);
                 self.sum(of, own, -1.0, [&|a, b| Operation::Scalar(Op::Subtract(a, b)), negate])
             }
             Op::Divide(a, b) => match self.numbers[b].constant() {
-                Some([by, ..]) => {
-                    self.image(self.numbers[a].clone(), own, &scale(1.0 / by), new(Op::Divide, b))
-                }
+                Some([by, ..]) => self.image(self.numbers[a], own, &scale(1.0 / by), new(Op::Divide, b)),
                 None => self.whole(Operation::Scalar(operation), own),
             },
             _ => self.whole(Operation::Scalar(operation), own),
@@ -219,44 +215,40 @@ impl Separator {
             Op::Fixed(k) if self.joint == Some(k) => {
                 Parts::linear(Linear { of_joint: Some(scale(1.0)), ..Linear::NONE })
             }
-            Op::Negate(a) => {
-                self.image(self.vectors[a].clone(), own, &scale(-1.0), new(|a, _| Op::Negate(a), 0))
-            }
+            Op::Negate(a) => self.image(self.vectors[a], own, &scale(-1.0), new(|a, _| Op::Negate(a), 0)),
             Op::Scale(a, k) => {
                 let by = self.graph.constants.get(k).copied().unwrap_or(f64::NAN);
-                self.image(self.vectors[a].clone(), own, &scale(by), new(Op::Scale, k))
+                self.image(self.vectors[a], own, &scale(by), new(Op::Scale, k))
             }
             Op::Image(k, a) => {
                 let by = self.graph.matrices.get(k).copied().unwrap_or([[f64::NAN; 3]; 3]);
-                self.image(self.vectors[a].clone(), own, &by, new(|a, k| Op::Image(k, a), k))
+                self.image(self.vectors[a], own, &by, new(|a, k| Op::Image(k, a), k))
             }
             Op::Add(a, b) => {
-                let of = [a, b].map(|a| self.vectors[a].clone());
+                let of = [a, b].map(|a| self.vectors[a]);
                 self.sum(of, own, 1.0, [&|a, b| Operation::Vector(Op::Add(a, b)), negate])
             }
             Op::Subtract(a, b) => {
-                let of = [a, b].map(|a| self.vectors[a].clone());
+                let of = [a, b].map(|a| self.vectors[a]);
                 self.sum(of, own, -1.0, [&|a, b| Operation::Vector(Op::Subtract(a, b)), negate])
             }
             Op::Times(a, b) => match (self.vectors[a].constant(), self.numbers[b].constant()) {
-                (_, Some([by, ..])) => {
-                    self.image(self.vectors[a].clone(), own, &scale(by), new(Op::Times, b))
-                }
+                (_, Some([by, ..])) => self.image(self.vectors[a], own, &scale(by), new(Op::Times, b)),
                 (Some([x, y, z]), _) => {
                     let column = [[x, 0.0, 0.0], [y, 0.0, 0.0], [z, 0.0, 0.0]];
                     let by_number = move |place| Operation::Vector(Op::Times(a, place));
-                    self.image(self.numbers[b].clone(), own, &column, by_number)
+                    self.image(self.numbers[b], own, &column, by_number)
                 }
                 _ => self.whole(Operation::Vector(operation), own),
             },
             Op::Cross(a, b) => match (self.vectors[a].constant(), self.vectors[b].constant()) {
                 (_, Some([x, y, z])) => {
                     let by = [[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]];
-                    self.image(self.vectors[a].clone(), own, &by, new(Op::Cross, b))
+                    self.image(self.vectors[a], own, &by, new(Op::Cross, b))
                 }
                 (Some([x, y, z]), _) => {
                     let by = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];
-                    self.image(self.vectors[b].clone(), own, &by, new(|b, a| Op::Cross(a, b), a))
+                    self.image(self.vectors[b], own, &by, new(|b, a| Op::Cross(a, b), a))
                 }
                 _ => self.whole(Operation::Vector(operation), own),
             },
@@ -311,7 +303,7 @@ impl Separator {
 
     /// Returns the parts of a vector with these components.
     fn of_components(&mut self, numbers: [usize; 3], own: usize) -> Parts {
-        let parts = numbers.map(|place| self.numbers[place].clone());
+        let parts = numbers.map(|place| self.numbers[place]);
         let linear = parts.iter().enumerate().filter_map(|(row, part)| {
             let mut to_row = [[0.0; 3]; 3];
             to_row[row][0] = 1.0;

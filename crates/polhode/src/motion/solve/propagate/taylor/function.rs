@@ -106,14 +106,14 @@ fn rows_convolution<N: Number>(
     let mut k = 1;
     if N::LANES > 1 {
         while k + 3 <= last {
-            for i in 0..4 {
-                sums[i] = (number(k + i) * a.at(k + i)).mul_add(b.at(n - k - i), sums[i]);
+            for (i, sum) in sums.iter_mut().enumerate() {
+                *sum = (number(k + i) * a.at(k + i)).mul_add(b.at(n - k - i), *sum);
             }
             k += 4;
         }
-        for i in 0..3 {
+        for (i, sum) in sums.iter_mut().enumerate().take(3) {
             if k + i <= last {
-                sums[i] = (number(k + i) * a.at(k + i)).mul_add(b.at(n - k - i), sums[i]);
+                *sum = (number(k + i) * a.at(k + i)).mul_add(b.at(n - k - i), *sum);
             }
         }
     } else {

@@ -305,11 +305,11 @@ impl<N: Number> Expansion<N> {
     fn expand_by_itself<M: Recurrence<N = N>, const LAYOUT: Layout>(&mut self, s: M) {
         let none = Row::splat(self.zero());
         let jacobian = s.jacobian::<LAYOUT>(&self.motion, &self.terms);
-        let low_and_more = [self.low, forced(&self.forcing, self.inverses, 0).unwrap_or(none)];
+        let low_and_more = [self.low, forced(self.forcing.as_deref(), self.inverses, 0).unwrap_or(none)];
         let mut newest = s.first::<LAYOUT>(&jacobian, &self.motion, &self.terms, low_and_more);
         let mut previous = newest;
         for n in 1..self.order {
-            let more = forced(&self.forcing, self.inverses, n);
+            let more = forced(self.forcing.as_deref(), self.inverses, n);
             let next = s.next::<LAYOUT>(&jacobian, &mut self.motion, n, [previous, newest], more);
             (previous, newest) = (newest, next);
         }
@@ -463,11 +463,11 @@ impl<N: Number> Expansion<N> {
 
 /// Returns coefficient n of f(t)/I, if there is such a torque.
 #[inline(always)]
-fn forced<N: Number>(forcing: &Option<Box<Forcing<N>>>, inverses: Row<N>, n: usize) -> Option<Row<N>> {
-    match forcing {
-        Some(forcing) => Some(inverses * forcing.at(n)),
-        None => None,
-    }
+fn forced<N: Number>(forcing: Option<&Forcing<N>>, inverses: Row<N>, n: usize) -> Option<Row<N>> {
+    forcing.map(
+        #[inline(always)]
+        |forcing| inverses * forcing.at(n),
+    )
 }
 
 /// Returns true without wheels and friction.

@@ -34,8 +34,8 @@ pub(crate) struct PyScenario(ScenarioFile);
 #[pymethods]
 impl PyScenario {
     /// Reads the scenario of a text. Paths in it are relative to `path`.
-    #[new]
-    fn new(py: Python<'_>, path: PathBuf, text: String) -> PyResult<Self> {
+    #[staticmethod]
+    fn of_text(py: Python<'_>, path: PathBuf, text: String) -> PyResult<Self> {
         py.detach(|| read(path, Some(text))).map(Self).map_err(Raise::raise)
     }
 

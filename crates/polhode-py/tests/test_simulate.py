@@ -209,7 +209,9 @@ def test_the_files_of_a_scenario_are_read_when_it_is_made(tmp_path: Path) -> Non
     text = """
         [[body.part]]
         name = "corner"
-        mesh = "corner.obj"
+        shape = "mesh"
+        file = "corner.obj"
+        unit = "m"
         density = "2 kg/m^3"
         [start]
         spin = { body = [0.3, 0.5, 0.9] }

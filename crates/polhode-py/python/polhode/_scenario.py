@@ -408,7 +408,7 @@ class Scenario:
         """The scenario as the reader of files has it, with the files that it refers to. Errors are
         reported in terms of the arguments."""
         try:
-            return _native.ReadScenario(self._path, self._text())
+            return _native.ReadScenario.of_text(self._path, self._text())
         except PolhodeError as error:
             raise self._placed(error) from None
 

@@ -65,10 +65,15 @@ pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, 
     }
     for (_, bodies) in kinds {
         if bodies.len() <= FEW_BODIES {
-            for (k, _) in bodies {
-                let member = &members[k];
-                let by = (Method::Taylor, tolerance);
-                portion.put_motion(k, MemberMotion::alone(member, &member.torques, times, by));
+            for body in bodies {
+                let member = &members[body.0];
+                let motion = MemberMotion::alone(member, &member.torques, times, (Method::Taylor, tolerance));
+                if motion.ending.is_complete() {
+                    portion.put_motion(body.0, motion);
+                } else {
+                    // A lane also has the last good state, between two times.
+                    expand(portion, &[body], times, tolerance, &mut states);
+                }
                 if !portion.done(1) {
                     return;
                 }

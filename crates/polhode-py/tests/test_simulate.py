@@ -224,7 +224,7 @@ def test_the_files_of_a_scenario_are_read_when_it_is_made(tmp_path: Path) -> Non
     mesh.unlink()
     assert (polhode.simulate(scenario).omega == first.omega).all()
     # A copy reads the file again.
-    with pytest.raises(polhode.PolhodeError, match="corner.obj"):
+    with pytest.raises(FileNotFoundError, match="corner.obj"):
         polhode.simulate(pickle.loads(pickle.dumps(scenario)))
 
 

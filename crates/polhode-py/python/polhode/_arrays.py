@@ -44,7 +44,7 @@ def numbers(name: str, value: object, shape: tuple[int | str, ...]) -> Floats:
     Traceback (most recent call last):
     polhode.PolhodeError: omega[1] = nan must be finite
     """
-    if len(shape) == 1 and type(value) in (list, tuple) and all(type(x) is float and math.isfinite(x) for x in value):
+    if len(shape) == 1 and isinstance(value, (list, tuple)) and all(type(x) is float and math.isfinite(x) for x in value):
         array = np.array(value)
     else:
         array = real(name, value, "real numbers" if shape else "a real number")

@@ -30,8 +30,9 @@ def mesh_of(source: Any) -> tuple[object, object] | Floats | None:
     """Returns vertices and triangles, or triangles given by their corners (n, 3, 3); ``None`` for a
     path or an open file."""
     # A closed mesh has more than two triangles, so a pair is vertices and indices.
-    if type(source) is tuple and len(source) == 2:
-        return source
+    kind = type(source)
+    if kind is tuple and len(source) == 2:
+        return source[0], source[1]
     if isinstance(source, (str, os.PathLike)) or hasattr(source, "read"):
         return None
     if hasattr(source, "vertices"):

@@ -1,6 +1,8 @@
 //! Torque formulas, compared with built-in torques, with closed forms and with each other, by both
 //! integrators.
 
+use std::path::Path;
+
 use polhode::math::formula::Formula;
 use polhode::motion::torque::{Drag, DragLaw, FormulaTorque};
 use polhode::motion::{Ending, Motor};
@@ -241,4 +243,37 @@ fn drag_is_a_formula() {
             }
         }
     }
+}
+
+/// A rod has no inertia about its axis. A torque across it has a component along it only by
+/// rounding, whatever parts the law has.
+#[test]
+fn a_law_across_an_oblique_rod_does_not_spin_it() {
+    // The direction of the rod is (-0.3163…, -0.4930…, 0.8104…).
+    let [x, y] = [-0.493_098_606_001_781_57, 0.316_314_496_491_938_7];
+    let moving = |torque: [String; 3]| {
+        let torque = torque.map(|component| format!("{component:?}")).join(", ");
+        let text = format!(
+            "[[body.part]]\nshape = 'rod'\nlength = '1.3 m'\nmass = '0.7 kg'\n\
+             rotate = {{ axis = [0.3, -0.5, 0.8], angle = '1.1 rad' }}\n\
+             [start]\nspin = {{ body = [0, 0, 0] }}\n\
+             [[torque]]\nmodel = 'formula'\nunits = 'SI'\naxes = 'body'\ntorque = [{torque}]\n\
+             [run]\nduration = '3 s'\nsamples = 2\n"
+        );
+        let scenario = polhode_scenario::read::parse(&text, Path::new("rod.toml")).unwrap();
+        scenario.simulate().unwrap()
+    };
+    for size in ["0.1", "sin(t)", "0.1+0.2*sin(t)", "0.3*(wx*wx+wy*wy)+0.1", "0.1*atan(3*t)-0.2*wz*wz"] {
+        let motion = moving([format!("({size})*{x}"), format!("({size})*{y}"), "0".to_owned()]).unwrap();
+        // ω is across the rod, along the torque.
+        let [a, b, c] = motion.samples().last().unwrap().state.omega.to_array();
+        let along = -0.316_314_496_491_938_7 * a - 0.493_098_606_001_781_57 * b + 0.810_431_307_433_363_4 * c;
+        let size_of_omega = (a * a + b * b + c * c).sqrt();
+        assert!(
+            along.abs() < 1e-14 * size_of_omega && size_of_omega > 0.1,
+            "{size}: {along} of {size_of_omega}"
+        );
+    }
+    let error = moving(["0.1+0.2*sin(t)".to_owned(), "0".to_owned(), "0".to_owned()]).unwrap_err();
+    assert!(error.to_string().contains("no inertia"), "{error}");
 }

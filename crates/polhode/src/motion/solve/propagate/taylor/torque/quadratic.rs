@@ -118,14 +118,15 @@ impl Decomposition {
     }
 }
 
-/// Removes entries of A and B that are only rounding, about the axis of a needle. Divided by the
+/// Removes entries of c, A and B that are only rounding, about the axis of a needle. Divided by the
 /// very small moment, they would make the needle spin.
 fn cleaned(mut torque: QuadraticTorque, rotor: &Rotor) -> QuadraticTorque {
     let moments = rotor.principal().moments();
     if moments[0] >= THIN * moments[2] {
         return torque;
     }
-    for columns in [&mut torque.of_joint, &mut torque.of_omega] {
+    let mut constant = [torque.constant];
+    for columns in [&mut constant[..], &mut torque.of_joint, &mut torque.of_omega] {
         let size = |k: usize| columns.iter().map(|column| column[k].abs()).fold(0.0, f64::max);
         let sizes = [size(0), size(1), size(2)];
         let largest = sizes.iter().copied().fold(0.0, f64::max);
@@ -135,6 +136,7 @@ fn cleaned(mut torque: QuadraticTorque, rotor: &Rotor) -> QuadraticTorque {
             }
         }
     }
+    [torque.constant] = constant;
     torque
 }
 

@@ -1,6 +1,12 @@
 //! Series of torques given as a graph. Coefficient n of each value follows from coefficients up to
 //! n of its operands.
 
+mod step;
+#[cfg(test)]
+mod tests;
+
+use step::{Constant, TapeStep, circle_length, classify};
+
 use super::super::function::{
     angle, constant_power, hypotenuse, integral_by, integral_over, rows_integral_by, rows_integral_over,
     rows_quotient,
@@ -45,31 +51,6 @@ pub(in super::super) struct Tape<N> {
     /// Principal axes of each lane that are those of a needle; empty if there are none.
     thin: Vec<[bool; 3]>,
 }
-
-/// Operation, and the index of its result.
-#[derive(Clone, Copy, Debug)]
-struct TapeStep {
-    operation: Operation,
-    place: usize,
-    /// Index of the norm or composition, if the operation is one.
-    beside: usize,
-    constant: Constant,
-}
-
-/// Operands that do not change during a step, or only in proportion to time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Constant {
-    None,
-    First,
-    Second,
-    All,
-    /// The operand of an integral is linear in time.
-    Linear,
-}
-
-/// Degree of a value as a polynomial in time: 0, 1, or [`MANY`] for all others.
-type Degree = u8;
-const MANY: Degree = 2;
 
 /// Rotation from a rest attitude: p = p₀ ∘ (rotation since the start of the step).
 #[derive(Clone, Debug)]
@@ -582,202 +563,10 @@ fn start_composition<N: Number>(composition: &mut Composition<N>, lane: usize, w
     composition.start(lane, [w.half_angle_over_sine(), w, sine], is_slope);
 }
 
-/// Returns the number of operations, from the first one on, that need each other's coefficients.
-fn circle_length(steps: &[TapeStep]) -> usize {
-    let mut length = 1;
-    for k in 0.. {
-        let Some(step) = steps.get(k).filter(|_| k < length) else { break };
-        if let Operation::Scalar(ScalarOperation::IntegralBy { by, .. }) = step.operation {
-            let is_factor =
-                |step: &TapeStep| matches!(step.operation, Operation::Scalar(_)) && step.place == by;
-            length = length.max(steps.iter().position(is_factor).map_or(0, |at| at + 1));
-        }
-    }
-    length
-}
-
-/// Classifies an operation, and returns the degree of its result, from those of the numbers and
-/// vectors so far.
-fn classify(operation: Operation, [numbers, vectors]: &[Vec<Degree>; 2]) -> (Constant, Degree) {
-    use ScalarOperation as S;
-    use VectorOperation as V;
-    let number = |place: usize| numbers.get(place).copied().unwrap_or(MANY);
-    let vector = |place: usize| vectors.get(place).copied().unwrap_or(MANY);
-    let constant = |first: Degree, second: Degree| match (first, second) {
-        (0, 0) => Constant::All,
-        (0, _) => Constant::First,
-        (_, 0) => Constant::Second,
-        _ => Constant::None,
-    };
-    let one = |degree: Degree| (constant(degree, degree), degree);
-    let sum = |a: Degree, b: Degree| (constant(a, b), a.max(b));
-    let product = |a: Degree, b: Degree| (constant(a, b), a.saturating_add(b).min(MANY));
-    let function = |degree: Degree| one(if degree == 0 { 0 } else { MANY });
-    match operation {
-        Operation::Scalar(operation) => match operation {
-            S::Constant(_) | S::OrbitDistance(_) | S::OrbitStrength(_) => one(0),
-            S::Time => one(1),
-            S::Negate(a) | S::Scale(a, _) => one(number(a)),
-            S::Power(a, _) => function(number(a)),
-            S::Add(a, b) | S::Subtract(a, b) => sum(number(a), number(b)),
-            S::Multiply(a, b) => product(number(a), number(b)),
-            S::Divide(a, b) if number(b) == 0 => (constant(number(a), 0), number(a)),
-            S::Divide(a, b) => (constant(number(a), number(b)), MANY),
-            S::IntegralBy { of, .. } if number(of) == 1 => (Constant::Linear, MANY),
-            S::Component(v, _) => one(vector(v)),
-            S::Dot(a, b) => product(vector(a), vector(b)),
-            _ => one(MANY),
-        },
-        Operation::Vector(operation) => match operation {
-            V::Constant(_) => one(0),
-            V::Negate(a) | V::Scale(a, _) | V::Image(_, a) => one(vector(a)),
-            V::Add(a, b) | V::Subtract(a, b) => sum(vector(a), vector(b)),
-            V::Cross(a, b) | V::Product(a, b) => product(vector(a), vector(b)),
-            V::Times(a, b) => product(vector(a), number(b)),
-            V::Of(places) => one(places.into_iter().map(number).max().unwrap_or(MANY)),
-            _ => one(MANY),
-        },
-    }
-}
-
 /// Returns A v, for A given by its columns.
 #[inline(always)]
 pub(super) fn times<N: Number>(columns: &[Row<N>; 3], v: Row<N>) -> Row<N> {
     let [x, y, z, _] = v.0;
     let [a, b, c] = *columns;
     a.mul_add(Row::splat(x), b.mul_add(Row::splat(y), c * Row::splat(z)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::body::{InertiaTensor, MassProperties};
-    use crate::math::Position;
-    use crate::math::formula::{Binary, Formula, Instruction, Unary};
-    use crate::math::lanes::Lanes;
-    use crate::math::machine::Plain;
-    use crate::motion::model::torque::{FormulaTorque, TorqueModel};
-    use crate::motion::solve::propagate::taylor::all_zero;
-    use crate::motion::solve::propagate::taylor::row::TERMS;
-    use crate::motion::solve::propagate::taylor::row::Vectors;
-    use crate::motion::solve::propagate::taylor::sums::{OneBody, SeveralBodies};
-
-    const T: Instruction = Instruction::Variable(0);
-
-    /// Returns the coefficients of a formula of t about the time of each lane.
-    fn series<M: SeriesSums>(s: M, formula: &Formula, times: M::N) -> Scalars<M::N> {
-        let zero = Formula::constant(0.0);
-        let model = FormulaTorque::Body([formula.clone(), zero.clone(), zero]);
-        let model = TorqueModel::Formula(Box::new(model));
-        // The principal axes are the body axes.
-        let inertia = InertiaTensor::diagonal([1.0, 2.0, 2.5]).unwrap();
-        let rotor = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia).unwrap());
-        let graph = Graph::of([&model], &rotor);
-        let zero = times.like(0.0);
-        let mut tape = Tape::of(zero, &graph);
-        (0..M::N::LANES).for_each(|lane| tape.set(lane, &graph, &rotor));
-        let none = Row::splat(zero);
-        let attitude = Row([zero.like(1.0), zero, zero, zero]);
-        tape.start(&StepStart { time: times, attitude, omega: none, omega_low: none });
-        let (omega, motion) = (Vectors::all(zero), all_zero(zero));
-        let known = Known { s, omega: &omega, turning: &omega, motion: &motion };
-        let mut series = Scalars::all(zero);
-        for n in 0..TERMS {
-            series[n] = tape.coefficient(n, &known).0[0];
-        }
-        series
-    }
-
-    /// Returns the series for a single body.
-    fn series_of_one(formula: &Formula, time: f64) -> Scalars {
-        series(OneBody(Plain::<f64>::new()), formula, time)
-    }
-
-    /// Returns 0.3 + 0.2 t − 0.1 t².
-    fn quadratic() -> Vec<Instruction> {
-        use Binary::{Add, Multiply, Subtract};
-        let [b, c] = [0.2, 0.1].map(Instruction::Constant);
-        let mut of_t = vec![Instruction::Constant(0.3), b, T, Instruction::Binary(Multiply)];
-        of_t.extend([Instruction::Binary(Add), c, T, Instruction::Unary(Unary::Power(2))]);
-        of_t.extend([Instruction::Binary(Multiply), Instruction::Binary(Subtract)]);
-        of_t
-    }
-
-    #[test]
-    fn every_function_has_the_series_of_its_values() {
-        use Unary::{Acos, Asin, Atan, Cos, Cosh, Exp, Expm1, Log, Log1p, Negate, Power, Sin, Sinh};
-        use Unary::{Sqrt, Tan, Tanh};
-        let mut formulas = Vec::new();
-        for unary in [
-            Negate,
-            Sqrt,
-            Exp,
-            Log,
-            Sin,
-            Cos,
-            Tan,
-            Asin,
-            Acos,
-            Atan,
-            Sinh,
-            Cosh,
-            Tanh,
-            Log1p,
-            Expm1,
-            Power(3),
-            Power(-2),
-            Power(0),
-        ] {
-            let of_t = quadratic().into_iter().chain([Instruction::Unary(unary)]);
-            formulas.push((format!("{unary:?}"), Formula::new(of_t).unwrap()));
-        }
-        use Binary::{Add, Atan2, Divide, Hypot, Multiply, Subtract};
-        for binary in [Add, Subtract, Multiply, Divide, Binary::Power, Atan2, Hypot] {
-            // of 0.3 + 0.2 t − 0.1 t² and its cosine, in both orders
-            let (of_t, cosine) = (quadratic(), Instruction::Unary(Cos));
-            let ahead = of_t.iter().chain(&of_t).copied().chain([cosine, Instruction::Binary(binary)]);
-            formulas.push((format!("{binary:?}"), Formula::new(ahead).unwrap()));
-            let back = of_t.iter().copied().chain([cosine]).chain(of_t.iter().copied());
-            formulas.push((
-                format!("{binary:?}"),
-                Formula::new(back.chain([Instruction::Binary(binary)])).unwrap(),
-            ));
-        }
-        // a constant power that is not a whole number
-        let power = [Instruction::Constant(-1.7), Instruction::Binary(Binary::Power)];
-        formulas.push(("t^-1.7".to_owned(), Formula::new(quadratic().into_iter().chain(power)).unwrap()));
-        for (name, formula) in formulas {
-            let starts = [0.4, -0.7, 0.0, -0.2];
-            let together = series(SeveralBodies(Plain::<Lanes<4>>::new()), &formula, Lanes(starts));
-            for (lane, start) in starts.into_iter().enumerate() {
-                let coefficients = series_of_one(&formula, start);
-                let same = |(one, all): (&f64, &Lanes<4>)| one.to_bits() == all.lane(lane).to_bits();
-                assert!(coefficients.iter().zip(together.iter()).all(same), "{name}");
-                for h in [-0.02, 0.015, 0.03] {
-                    let got = coefficients.iter().rev().fold(0.0, |sum, c| sum * h + c);
-                    let want = formula.evaluate(&[start + h]);
-                    assert!((got - want).abs() < 2e-15 * want.abs().max(1.0), "{name}: {got} {want}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn what_has_no_series_is_no_number() {
-        let of = |instructions: &[Instruction]| {
-            series_of_one(&Formula::new(instructions.iter().copied()).unwrap(), 0.0)
-        };
-        let root = of(&[T, Instruction::Unary(Unary::Sqrt)]);
-        assert!(root[0] == 0.0 && root[1].is_nan());
-        let distance = of(&[T, T, Instruction::Binary(Binary::Hypot)]);
-        assert!(distance[1].is_nan());
-        assert!(of(&[T, Instruction::Unary(Unary::Log)])[1..].iter().all(|c| !c.is_finite()));
-        assert!(of(&[T, Instruction::Unary(Unary::Abs)])[0].is_nan());
-        // the square root of a value that stays zero is zero
-        let zero = [T, T, Instruction::Binary(Binary::Subtract), Instruction::Unary(Unary::Sqrt)];
-        assert!(of(&zero).iter().all(|c| *c == 0.0));
-        // a whole power may pass through zero
-        let cube = of(&[T, Instruction::Unary(Unary::Power(3))]);
-        assert_eq!(cube[..5], [0.0, 0.0, 0.0, 1.0, 0.0]);
-    }
 }

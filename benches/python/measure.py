@@ -10,7 +10,8 @@
 A program is a file `PROBLEM/with_PEER.py` with `prepare`, which is set-up, and `solve`, whose time counts. Set-up is the first call of
 `prepare`, imports apart; time the least of repeated calls of `solve` after one that is not counted, or that one where it takes long; both are of
 the processors, all together, which other programs on the machine disturb least. Memory is the most that the process has had when
-it has solved the problem once. All are the least of several processes, the programs in turn. Errors are against `reference.py`.
+it has solved the problem once. All are the least of several processes, the programs in turn. The median and the spread are those of the process
+with the least median. Errors are against `reference.py`.
 """
 
 from __future__ import annotations
@@ -88,6 +89,7 @@ def measure() -> dict[str, Any]:
         "problems": found,
         "small_meshes": measure_small_meshes(),
         "idle": json.loads(child("--idle"))["memory"],
+        "load": os.getloadavg()[0],
         "machine": f"{processor()}, {len(os.sched_getaffinity(0))} processors",
         "python": platform.python_version(),
         "versions": {name: version(name) for name in PACKAGES},
@@ -133,17 +135,20 @@ def one(name: str, peer: str, place: Path) -> None:
     set_up = time.process_time() - begun
     begun = time.process_time()
     answer = program.solve(prepared)
-    least, runs = time.process_time() - begun, 0
+    times = [time.process_time() - begun]
     memory = peak()
     place.write_bytes(pickle.dumps(list(answer) if isinstance(answer, tuple) or hasattr(answer, "omega") else answer))
-    if least < LONG:
-        least = float("inf")
+    if times[0] < LONG:
+        times = []
         begun = time.perf_counter()
-        while runs < 2 or runs < OFTEN and time.perf_counter() - begun < ENOUGH:
+        while len(times) < 2 or len(times) < OFTEN and time.perf_counter() - begun < ENOUGH:
             once = time.process_time()
             program.solve(prepared)
-            least, runs = min(least, time.process_time() - once), runs + 1
-    print(json.dumps({"set_up": set_up, "time": least, "memory": memory}))
+            times.append(time.process_time() - once)
+    times.sort()
+    # The median, and the times that a tenth of the solutions is below and above.
+    spread = [times[round(share * (len(times) - 1))] for share in (0.5, 0.1, 0.9)]
+    print(json.dumps({"set_up": set_up, "time": times[0], "spread": spread, "memory": memory}))
 
 
 def idle() -> None:

@@ -69,11 +69,11 @@ def table(folder: str, measured: dict[str, dict[str, float]]) -> str:
     rows = {peer: {"lines": lines_of_code(program(folder, peer).read_text()), **measured[peer]} for peer in peers(folder)}
     least = {column: min(row[column] for row in rows.values()) for column in COLUMNS}
     shown = {"lines": lambda n: f"{n:.0f}", "time": duration, "memory": lambda n: f"{n / 1e6:.0f} MB", "error": lambda e: f"{e:.1g}"}
-    out = "| | lines of code | set-up | time | memory | error |\n|---|---|---|---|---|---|\n"
+    out = "| | lines of code | set-up | time | median, and 10 to 90 % | memory | error |\n|---|---|---|---|---|---|---|\n"
     for peer, row in rows.items():
         link = f"[{NAMES[peer]}](../benches/python/{folder}/{program(folder, peer).name})"
         cell = {column: f"**{shown[column](row[column])}**" if row[column] == least[column] else shown[column](row[column]) for column in COLUMNS}
-        out += f"| {link} | {cell['lines']} | {duration(row['set_up'])} | {cell['time']} | {cell['memory']} | {cell['error']} |\n"
+        out += f"| {link} | {cell['lines']} | {duration(row['set_up'])} | {cell['time']} | {spread(row['spread'])} | {cell['memory']} | {cell['error']} |\n"
     return out
 
 
@@ -102,6 +102,12 @@ def behind(folder: str, measured: dict[str, dict[str, float]]) -> list[str]:
     return [column for column in COLUMNS if any(row[column] < rows["polhode"][column] for row in rows.values())]
 
 
+def spread(times: list[float]) -> str:
+    """Formats a median, and the times that a tenth of the solutions is below and above."""
+    median, low, high = map(duration, times)
+    return f"{median} ({low} to {high})"
+
+
 def duration(seconds: float) -> str:
     """Formats a number with three digits."""
     for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
@@ -119,6 +125,7 @@ def parts(measured: dict[str, Any]) -> dict[str, str]:
     said = ", ".join(f"{NAMES.get(name, 'NumPy')} {version}" for name, version in versions.items())
     found = {
         "machine": f"Measured in {measured['month']} on {measured['machine']}, with Python {measured['python']}, {said}. "
+        f"Load of the machine: {measured['load']:.1f} of its processors. "
         f"A process that has imported NumPy alone has {measured['idle'] / 1e6:.0f} MB.\n"
     }
     for of in problem.PROBLEMS:

@@ -76,6 +76,46 @@ def error_of_many_bodies(answer: Any) -> float:
     return reference.largest_angle(np.asarray(answer[1])[::EVERY], truth[-1])
 
 
+# A torque of one's own
+
+INERTIA = ((3.1, -0.4, 0.3), (-0.4, 4.2, -0.2), (0.3, -0.2, 5.3))
+DRAG, AMPLITUDE = 0.05, 0.1
+SPAN = np.linspace(0.0, 10.0, 2)
+
+
+def error_of_driven(answer: Any) -> float:
+    truth = reference.driven(INERTIA, np.array([OMEGA]), reference.drag_and_wave(DRAG, AMPLITUDE), SPAN)
+    return reference.largest_angle(np.asarray(answer[1]), truth[:, 0])
+
+
+def error_of_saturated(answer: Any) -> float:
+    truth = reference.driven(INERTIA, np.array([OMEGA]), reference.saturated(0.2, 3.0), SPAN)
+    return reference.largest_angle(np.asarray(answer[1]), truth[:, 0])
+
+
+def driven_bodies() -> dict[str, Any]:
+    return {"inertia": INERTIA, "omega": np.random.default_rng(1).normal(size=(BODIES, 3)), "time": 10.0}
+
+
+def error_of_driven_bodies(answer: Any) -> float:
+    given = driven_bodies()
+    truth = reference.driven(INERTIA, given["omega"][::EVERY], reference.drag_and_wave(DRAG, AMPLITUDE), [0.0, given["time"]])
+    return reference.largest_angle(np.asarray(answer[1])[::EVERY], truth[-1])
+
+
+# One short step of many bodies
+
+
+def short_span() -> dict[str, Any]:
+    return bodies() | {"time": 0.1}
+
+
+def error_of_short_span(answer: Any) -> float:
+    given = short_span()
+    truth = reference.motion(given["moments"], given["omega"][::EVERY], [1.0, 0.0, 0.0, 0.0], 0.0, [0.0, given["time"]])
+    return reference.largest_angle(np.asarray(answer[1])[::EVERY], truth[-1])
+
+
 # A mesh
 
 DENSITY = 2700.0
@@ -186,6 +226,42 @@ PROBLEMS = [
         "",
         bodies,
         error_of_many_bodies,
+    ),
+    Problem(
+        "driven",
+        "A torque of one's own",
+        "A tensor with products, the torque −0.05 ω + (0.1 sin t, 0, 0) N·m along body axes: ω and attitude after 10 s.",
+        "angle between the attitude and the true one, rad",
+        "MuJoCo computes such a torque only at the start of each step.",
+        lambda: {"inertia": INERTIA, "omega": OMEGA, "times": SPAN},
+        error_of_driven,
+    ),
+    Problem(
+        "saturated",
+        "A saturated law",
+        "The same body under −0.2 tanh 3ω N·m, component by component: ω and attitude after 10 s.",
+        "angle between the attitude and the true one, rad",
+        "MuJoCo computes such a torque only at the start of each step.",
+        lambda: {"inertia": INERTIA, "omega": OMEGA, "times": SPAN},
+        error_of_saturated,
+    ),
+    Problem(
+        "driven_bodies",
+        "10,000 bodies under it",
+        "The same body and torque, 10,000 spins ω(0), each component normal with 1 rad/s: ω and attitude of all after 10 s.",
+        f"largest angle of every {EVERY}th body's attitude from the true one, rad",
+        "MuJoCo computes such a torque only at the start of each step.",
+        driven_bodies,
+        error_of_driven_bodies,
+    ),
+    Problem(
+        "short_span",
+        "One short step of 10,000 bodies",
+        "The 10,000 free bodies again, each from a new start over 0.1 s, as in control: the time contains all that depends on the start.",
+        f"largest angle of every {EVERY}th body's attitude from the true one, rad",
+        "",
+        short_span,
+        error_of_short_span,
     ),
     Problem(
         "mesh",

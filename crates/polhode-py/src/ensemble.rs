@@ -69,6 +69,7 @@ impl PyEnsemble {
         let (omega, attitude) = (rows::<3>(&omega)?, rows::<4>(&attitude)?);
         let pivots = pivots.as_ref().map(rows::<3>).transpose()?;
         let ((actions, which), functions) = (actions, Functions::new(functions));
+        let mut watch = Watch::new();
         let made = py.detach(|| {
             let read = |actions: &PythonActions| SharedActions::read(actions, pivots.is_some(), &functions);
             let actions = actions.iter().map(read).collect::<PyResult<Vec<_>>>()?;
@@ -87,6 +88,7 @@ impl PyEnsemble {
             let each = tensors.iter().zip(omega).zip(attitude).enumerate();
             let mut last: Option<(usize, Rotor)> = None;
             let members = each.map(|(k, ((tensor, omega), wxyz))| {
+                go_on(k, &mut watch)?;
                 let shared = of_member(k)?;
                 let pivot = |k: usize| {
                     let pivot =
@@ -120,6 +122,7 @@ impl PyEnsemble {
             let members = members.collect::<PyResult<_>>()?;
             Self::new(members, actions.iter().flat_map(|shared| shared.actions.findings()), &functions)
         });
+        watch.ended()?;
         heard(&functions.raised)?;
         made
     }
@@ -132,9 +135,11 @@ impl PyEnsemble {
         functions: PythonFunctions,
     ) -> PyResult<Self> {
         let functions = Functions::new(functions);
+        let mut watch = Watch::new();
         let made = py.detach(|| {
             let mut findings = Vec::new();
             let members = scenarios.into_iter().enumerate().map(|(k, (path, text, placed))| {
+                go_on(k, &mut watch)?;
                 let read = scenario::read(path, Some(text));
                 let scenario = read.map_err(|error| raised_by(&format!("member {k}: "), error))?.scenario;
                 let own =
@@ -155,6 +160,7 @@ impl PyEnsemble {
             let members = members.collect::<PyResult<_>>()?;
             Self::new(members, &findings, &functions)
         });
+        watch.ended()?;
         heard(&functions.raised)?;
         made
     }
@@ -169,16 +175,21 @@ impl PyEnsemble {
         remarks(&self.findings)
     }
 
-    /// Computes all members at all times on `threads` threads, each by its best method, at
-    /// `tolerance`. Without a number, these are as many as the process may use.
+    /// Computes all members at all times on `threads` threads, by the method named or, for "auto",
+    /// each by its best one, at `tolerance`. Without a number, the threads are as many as the process
+    /// may use.
     fn at<'py>(
         &self,
         py: Python<'py>,
         times: PyReadonlyArray1<'py, f64>,
         threads: Option<usize>,
         tolerance: f64,
+        method: &str,
     ) -> PyResult<States<'py>> {
         let times = numbers(&times)?;
+        let named = [Method::Auto, Method::Exact, Method::Taylor, Method::Dop853];
+        let method = named.into_iter().find(|known| known.name() == method);
+        let method = method.ok_or_else(|| refused("the method is unknown", None))?;
         let Functions { raised, is_called, .. } = &self.functions;
         // The system needs longer to count its processors than a body to move.
         let can_share = !*is_called && self.ensemble.most_threads() > 1;
@@ -192,8 +203,7 @@ impl PyEnsemble {
         let computed: Result<_, MotionError> = py.detach(|| {
             let mut rows = vec![[0.0; 8]; self.ensemble.len() * times.len()];
             let goes_on = &mut |_| watch.goes_on() && !has_raised(raised);
-            let outcome =
-                self.ensemble.fill(times, (Method::Auto, tolerance), threads, &mut rows, goes_on)?;
+            let outcome = self.ensemble.fill(times, (method, tolerance), threads, &mut rows, goes_on)?;
             rows.chunks_mut(times.len().max(1)).for_each(continuous);
             Ok((rows, outcome))
         });
@@ -240,6 +250,17 @@ impl PyEnsemble {
         }
         Ok(Self { ensemble, findings: each, functions: functions.clone() })
     }
+}
+
+/// Looks for a signal at some of the members.
+///
+/// # Errors
+/// An error for which the signal's exception is raised instead.
+fn go_on(member: usize, watch: &mut Watch) -> PyResult<()> {
+    if member.is_multiple_of(64) && !watch.goes_on() {
+        return Err(refused("interrupted", None));
+    }
+    Ok(())
 }
 
 /// Chooses the signs of quaternions: the first gets w ≥ 0, each other one the sign closest to its

@@ -77,15 +77,17 @@ fn motion(
     let rotor = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia).ok()?);
     let attitude = Attitude::from_quaternion(wxyz).ok()?;
     let start = State { time: 0.0, attitude, omega: AngularVelocity::from_array(omega) };
-    let motion = FreeMotion::of(&rotor, start).ok()?;
-    motion.require(times).ok()?;
     if !with_derivatives {
+        let motion = FreeMotion::of(&rotor, start).ok()?;
+        motion.require(times).ok()?;
         let states = times.iter().map(|time| motion.at(*time));
         let none = [[0.0; 6]; 6];
         return Some(
             states.map(|state| StateDerivatives { state, by_start: none, by_inertia: none }).collect(),
         );
     }
-    let found = FreeMotionDerivatives::of(&rotor, start).ok()?.at_times(times);
+    let motion = FreeMotionDerivatives::of(&rotor, start).ok()?;
+    motion.motion().require(times).ok()?;
+    let found = motion.at_times(times);
     (!found.iter().any(|of| of.by_start[0][0].is_nan())).then_some(found)
 }

@@ -108,6 +108,33 @@ def test_a_member_that_cannot_go_on_is_said() -> None:
     assert np.isfinite(states.omega).all() and states.reached[0, 1] == 1.0
 
 
+def test_a_method_is_chosen() -> None:
+    free = polhode.Ensemble(inertia=TENSORS, omega=OMEGA, attitude=TURNS)
+    closed = free.at([0.1, 0.4])
+    assert np.array_equal(free.at([0.1, 0.4], method="exact").omega, closed.omega)
+    for method in ["taylor", "dop853"]:
+        states = free.at([0.1, 0.4], method=method)
+        assert np.allclose(states.omega, closed.omega, rtol=0.0, atol=1e-12) and not np.array_equal(states.omega, closed.omega)
+        assert np.allclose(states.attitude, closed.attitude, rtol=0.0, atol=1e-12)
+    driven = polhode.Ensemble(moments=MOMENTS, omega=OMEGA, torques=DRAG)
+    with pytest.warns(polhode.PolhodeWarning, match="37 of 37 members failed; the first is 0: .*closed form"):
+        driven.at([0.1], method="exact")
+    with pytest.raises(polhode.PolhodeError, match="method"):
+        free.at([0.1], method="rk4")
+
+
+@pytest.mark.usefixtures("ctrl_c")
+def test_ctrl_c_ends_the_construction_of_an_ensemble() -> None:
+    tensors, omega = np.tile(TENSORS, (20_000, 1, 1)), np.tile(OMEGA, (20_000, 1))
+    begun = time.perf_counter()
+    timer = threading.Timer(0.15, _thread.interrupt_main)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        polhode.Ensemble(inertia=tensors, omega=omega)
+    assert time.perf_counter() - begun < 1.0
+    timer.join()
+
+
 @pytest.mark.usefixtures("ctrl_c")
 def test_ctrl_c_ends_an_ensemble() -> None:
     ensemble = polhode.Ensemble(moments=MOMENTS[0], omega=np.tile(OMEGA, (1000, 1)), torques=DRAG)

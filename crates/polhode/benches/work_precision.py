@@ -33,12 +33,12 @@ EQUAL = (1e-6, 1e-9, 1e-12, 1e-15)
 class Problem:
     """A test problem: inertia I, initial ω and q = (w, x, y, z), end time, and torques.
 
-    The torques are a weight M g l along e3, an orbital rate n, and a damping c.
+    The torques are a weight M g l along e3, an orbital rate n, a damping c, and a wave (a sin t, 0, 0).
     """
 
-    def __init__(self, name, title, moments, omega, end, tilt=0.0, weight=0.0, orbit=0.0, damping=0.0):
+    def __init__(self, name, title, moments, omega, end, tilt=0.0, weight=0.0, orbit=0.0, damping=0.0, wave=0.0):
         self.name, self.title, self.moments, self.omega, self.end = name, title, moments, omega, end
-        self.tilt, self.weight, self.orbit, self.damping = tilt, weight, orbit, damping
+        self.tilt, self.weight, self.orbit, self.damping, self.wave = tilt, weight, orbit, damping, wave
 
     def start(self):
         return [*self.omega, math.cos(self.tilt / 2), math.sin(self.tilt / 2), 0.0, 0.0]
@@ -49,6 +49,7 @@ PROBLEMS = [
     Problem("B", "B: a heavy top, 100 s", (1.0, 1.0, 0.5), (0.0, 0.0, 5.0), 100.0, tilt=math.pi / 3, weight=1.0),
     Problem("C-gg", "C-gg: gravity gradient, 20 s", (1.0, 2.0, 2.5), (0.3, 0.5, 0.9), 20.0, orbit=0.5),
     Problem("C-damp", "C-damp: damping, 100 s", (1.0, 2.0, 3.0), (0.3, 0.5, 0.9), 100.0, damping=0.05),
+    Problem("C-law", "C-law: damping and a wave, as formulas, 100 s", (1.0, 2.0, 3.0), (0.3, 0.5, 0.9), 100.0, damping=0.05, wave=0.1),
 ]
 
 
@@ -75,7 +76,7 @@ def truth(problem):
     mp.dps = DIGITS + 8
     order = DIGITS + 6
     i1, i2, i3 = map(mpf, problem.moments)
-    n, weight, damping = mpf(problem.orbit), mpf(problem.weight), mpf(problem.damping)
+    n, weight, damping, wave = mpf(problem.orbit), mpf(problem.weight), mpf(problem.damping), mpf(problem.wave)
     # The tilt is exactly 60°.
     half = mp.pi / 6 if problem.tilt else mpf(0)
     q = [cos(half), sin(half), mpf(0), mpf(0)]
@@ -85,6 +86,7 @@ def truth(problem):
     t, end = mpf(0), mpf(problem.end)
     while t < end:
         s = [[x] for x in state]
+        sines = [sin(t), cos(t), -sin(t), -cos(t)]
         w, qs, us, vs = s[0:3], s[3:7], s[7:10], s[10:13]
         product = lambda a, b, k: fdot(a[: k + 1], b[k::-1])
         for k in range(order):
@@ -96,6 +98,7 @@ def truth(problem):
                 torque = [f * (i3 - i2) * product(us[1], us[2], k), f * (i1 - i3) * product(us[2], us[0], k),
                           f * (i2 - i1) * product(us[0], us[1], k)]
             torque = [a - damping * w[j][k] for j, a in enumerate(torque)]
+            torque[0] += wave * sines[k % 4] / math.factorial(k)
             rate = [((i2 - i3) * product(w[1], w[2], k) + torque[0]) / i1, ((i3 - i1) * product(w[2], w[0], k) + torque[1]) / i2,
                     ((i1 - i2) * product(w[0], w[1], k) + torque[2]) / i3]
             a, b, c, d = qs
@@ -186,6 +189,8 @@ def heyoka_integrators():
     for problem in PROBLEMS:
         i1, i2, i3 = problem.moments
         n1, n2, n3 = [-problem.damping * w for w in (w1, w2, w3)]
+        if problem.wave:
+            n1 = n1 + problem.wave * hy.sin(hy.time)
         if problem.weight:
             n1, n2 = n1 + problem.weight * 2.0 * (c * d + a * b), n2 - problem.weight * 2.0 * (b * d - a * c)
         if problem.orbit:
@@ -233,11 +238,11 @@ def heyoka_call(built):
 def right_hand_side(problem):
     """Returns ẏ of (ω, q) for SciPy, and True if it is compiled."""
     i1, i2, i3 = problem.moments
-    weight, orbit, damping = problem.weight, problem.orbit, problem.damping
+    weight, orbit, damping, wave = problem.weight, problem.orbit, problem.damping, problem.wave
 
     def f(t, y):
         w1, w2, w3, a, b, c, d = y[0], y[1], y[2], y[3], y[4], y[5], y[6]
-        n1, n2, n3 = -damping * w1, -damping * w2, -damping * w3
+        n1, n2, n3 = -damping * w1 + wave * math.sin(t), -damping * w2, -damping * w3
         if weight != 0.0:
             n1 += weight * 2.0 * (c * d + a * b)
             n2 -= weight * 2.0 * (b * d - a * c)
@@ -284,13 +289,13 @@ def scipy(functions):
 def mujoco():
     """Runs a body on a ball joint.
 
-    The gravity gradient is omitted: it would be a Python callback, not MuJoCo.
+    The gravity gradient and the wave are omitted: they would be Python callbacks, not MuJoCo.
     """
     import mujoco as mj
 
     runs = {}
     for problem in PROBLEMS:
-        if problem.orbit:
+        if problem.orbit or problem.wave:
             continue
         mass = 1e-3 if problem.weight else 1.0
         lever = 1.0 if problem.weight else 0.0
@@ -461,7 +466,7 @@ least of {ROUNDS} round{'s' * (ROUNDS > 1)} on one core, without set-up and comp
 
 {processor()}, {first("rustc", "--version")}, commit {first("git", "rev-parse", "--short", "HEAD")}, {versions()}, Python {platform.python_version()}.
 
-SciPy's right-hand sides are {note}. MuJoCo has no gravity gradient;
+SciPy's right-hand sides are {note}. MuJoCo has no gravity gradient and no wave;
 `splitting` takes no damping.
 
 {chr(10).join(sections)}
@@ -475,6 +480,7 @@ SciPy's right-hand sides are {note}. MuJoCo has no gravity gradient;
 | B | 1, 1, 0.5 | 0, 0, 5; tilted by 60° | of the weight, M g l = 1 N·m |
 | C-gg | 1, 2, 2.5 | 0.3, 0.5, 0.9 | 3n² r × I r, r = (cos nt, sin nt, 0) in space, n = 0.5 rad/s |
 | C-damp | 1, 2, 3 | 0.3, 0.5, 0.9 | −0.05 ω |
+| C-law | 1, 2, 3 | 0.3, 0.5, 0.9 | −0.05 ω + (0.1 sin t, 0, 0), in polhode as three formulas |
 
 C-gg amplifies errors, so its span is short.
 

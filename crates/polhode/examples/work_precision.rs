@@ -8,7 +8,7 @@
 use std::error::Error;
 use std::time::{Duration, Instant};
 
-use polhode::motion::torque::{Attracted, Drag, DragLaw, GravityGradient};
+use polhode::motion::torque::{Attracted, Drag, DragLaw, FormulaTorque, GravityGradient};
 use polhode::motion::{Orbit, SplittingOrder, TIGHTEST_TOLERANCE};
 use polhode::prelude::*;
 
@@ -25,7 +25,7 @@ struct Problem {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    for problem in [free()?, heavy_top()?, gravity_gradient()?, damped()?] {
+    for problem in [free()?, heavy_top()?, gravity_gradient()?, damped()?, own_law()?] {
         let measure = |method: &str, size: f64, how: Method| run(&problem, method, size, how);
         for exponent in 2..=15 {
             let tolerance = 10_f64.powi(-exponent);
@@ -105,6 +105,28 @@ fn damped() -> Result<Problem, Box<dyn Error>> {
     let rotor = Rotor::free(&body([1.0, 2.0, 3.0])?);
     let torques = vec![TorqueModel::Drag(drag)];
     Ok(Problem { name: "C-damp".to_owned(), rotor, torques, start: start([0.3, 0.5, 0.9]), end: 100.0 })
+}
+
+/// Problem C-law: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), N = −0.05 ω + (0.1 sin t, 0, 0), as formulas.
+fn own_law() -> Result<Problem, Box<dyn Error>> {
+    use polhode::math::formula::{Binary, Formula, Instruction, Unary};
+    // −0.05 ωₖ + amplitude sin t; variables 0 to 3 are t and ω.
+    let component = |k: usize, amplitude: f64| {
+        let multiply = Instruction::Binary(Binary::Multiply);
+        Formula::new([
+            Instruction::Constant(-0.05),
+            Instruction::Variable(k),
+            multiply,
+            Instruction::Constant(amplitude),
+            Instruction::Variable(0),
+            Instruction::Unary(Unary::Sin),
+            multiply,
+            Instruction::Binary(Binary::Add),
+        ])
+    };
+    let law = FormulaTorque::Body([component(1, 0.1)?, component(2, 0.0)?, component(3, 0.0)?]);
+    let torques = vec![TorqueModel::Formula(Box::new(law))];
+    Ok(Problem { name: "C-law".to_owned(), torques, ..damped()? })
 }
 
 fn body(moments: [f64; 3]) -> Result<MassProperties<Body>, BodyError> {

@@ -328,7 +328,7 @@ class Ensemble:
     def findings(self) -> list[Remark]: ...
     def __len__(self) -> int: ...
     def at(
-        self, times: Floats, threads: int | None, tolerance: float
+        self, times: Floats, threads: int | None, tolerance: float, method: str
     ) -> tuple[
         Floats,
         list[tuple[int, float, str]],

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import functools
+import math
 import os
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import Field, dataclass, fields
-from typing import Any, ClassVar, Iterable, Iterator, Mapping, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
@@ -28,23 +31,28 @@ class Section:
     _ROTATIONS: ClassVar[frozenset[str]] = frozenset()
 
     def __post_init__(self) -> None:
-        for field in fields(self):
-            convert = rotation if field.name in self._ROTATIONS else plain
-            object.__setattr__(self, field.name, convert(f"{self.table}.{field.name}", getattr(self, field.name)))
+        for field in _fields(type(self)):
+            if (given := getattr(self, field.name)) is not None:
+                convert = rotation if field.name in self._ROTATIONS else plain
+                object.__setattr__(self, field.name, convert(f"{self.table}.{field.name}", given))
 
     def to_dict(self) -> dict[str, Any]:
         """Returns the keys of the table and their values, as in files."""
-        return {key_of(field): written(value) for field in fields(self) if (value := getattr(self, field.name)) is not None}
+        return {key_of(field): written(value) for field in _fields(type(self)) if (value := getattr(self, field.name)) is not None}
 
     @classmethod
     def from_dict(cls: type[_Section], table: Mapping[str, Any]) -> _Section:
         """Makes a table of these keys and values."""
-        names = {key_of(field): field.name for field in fields(cls)}
+        names = {key_of(field): field.name for field in _fields(cls)}
         return cls(**{names[key]: value for key, value in table.items()})
 
     def __repr__(self) -> str:
-        given = ((field, getattr(self, field.name)) for field in fields(self))
+        given = ((field, getattr(self, field.name)) for field in _fields(type(self)))
         return f"{type(self).__name__}({', '.join(f'{f.name}={value!r}' for f, value in given if value is not f.default)})"
+
+
+#: Fields of a table; ``fields`` makes a new tuple of them each time.
+_fields = functools.cache(fields)
 
 
 def key_of(field: Field[Any]) -> str:
@@ -58,8 +66,10 @@ def plain(name: str, value: object) -> Any:
     Stored forms are numbers, text, truth values, tuples, dictionaries and tables. Arrays become
     tuples.
     """
-    if value is None or isinstance(value, (bool, str, Section)):
+    if value is None or isinstance(value, (bool, str, Section)) or type(value) is float and math.isfinite(value):
         return value
+    if isinstance(value, (list, tuple)) and set(map(type, value)) == {float} and all(map(math.isfinite, value)):
+        return tuple(value)
     if isinstance(value, os.PathLike):
         return _arrays.path(name, value)
     if isinstance(value, Mapping):

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import os
 import re
-from typing import Mapping
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -24,8 +25,13 @@ def text_of(plan: Mapping[str, object]) -> str:
 
 def pair(place: str, key: str, value: object) -> str:
     """Returns a key and its value as a line."""
-    bare = re.fullmatch("[A-Za-z0-9_-]+", key, re.ASCII)
-    return f"{key if bare else _quoted(place, key)} = {_value(place, value)}"
+    return f"{key if _is_bare(key) else _quoted(place, key)} = {_value(place, value)}"
+
+
+@functools.lru_cache(1024)
+def _is_bare(key: str) -> bool:
+    """Returns true if a key needs no quotes."""
+    return re.fullmatch("[A-Za-z0-9_-]+", key, re.ASCII) is not None
 
 
 def _pairs(place: str, table: Mapping[str, object]) -> list[str]:
@@ -37,7 +43,15 @@ def _pairs(place: str, table: Mapping[str, object]) -> list[str]:
     return pairs
 
 
+#: Types of numbers whose text is that of Python.
+_NUMBERS = {float, int}
+
+
 def _value(place: str, value: object) -> str:
+    if type(value) in _NUMBERS:
+        return repr(value)
+    if isinstance(value, (list, tuple)) and set(map(type, value)) <= _NUMBERS:
+        return f"[{', '.join(map(repr, value))}]"
     if isinstance(value, Mapping):
         return f"{{ {', '.join(_pairs(place, value))} }}" if value else "{}"
     value = _arrays.as_text(place, value)

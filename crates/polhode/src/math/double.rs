@@ -62,6 +62,22 @@ impl Double {
         quick(root, residual.high / (2.0 * root))
     }
 
+    /// Returns the product with an f64.
+    fn times(self, word: f64) -> Self {
+        let (p, e) = two_product(self.high, word);
+        quick(p, e + self.low * word)
+    }
+
+    /// Returns the quotient with a relative error below 15·2⁻¹⁰⁶, twice as fast as `/`.
+    ///
+    /// Source: Joldes, Muller & Popescu, ACM Trans. Math. Softw. 44 (2017) 15res, algorithm 17.
+    pub(crate) fn over(self, b: Self) -> Self {
+        let first = self.high / b.high;
+        let (p, e) = two_product(first, b.high);
+        let rest = (self.high - p) + (self.low - (e + first * b.low));
+        quick(first, rest / b.high)
+    }
+
     /// Returns the product with a power of two, which is exact.
     pub(crate) fn scaled(self, power_of_two: f64) -> Self {
         Self { high: self.high * power_of_two, low: self.low * power_of_two }
@@ -115,9 +131,9 @@ impl Div for Double {
     type Output = Self;
     fn div(self, b: Self) -> Self {
         let first = self.high / b.high;
-        let residual = self - b * Self::from(first);
+        let residual = self - b.times(first);
         let second = residual.high / b.high;
-        let residual = residual - b * Self::from(second);
+        let residual = residual - b.times(second);
         let Self { high, low } = quick(first, second);
         quick(high, low + residual.high / b.high)
     }
@@ -134,6 +150,7 @@ mod tests {
         let small = |x: Double, scale: f64| assert!(x.value().abs() < 1e-31 * scale, "{x:?}");
         small(a * Double::from(3.0) - Double::ONE - Double::from(3e-20), 1.0);
         small((a / b) * b - a, 1.0);
+        small(a.over(b) * b - a, 1.0);
         small((a + b) - b - a, 1.0);
         small(b.square() - Double::from(2.0) * Double::from(0.7).square(), 1.0);
         small(a.sqrt().square() - a, 1.0);

@@ -35,7 +35,7 @@ pub struct Formula {
 }
 
 /// Instruction: takes its operands from the top of the stack and pushes its result.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub enum Instruction {
     /// Pushes a constant.
     Constant(f64),
@@ -56,6 +56,20 @@ pub enum Instruction {
     Local(usize),
     /// Removes the value below the top: a local value that is no longer needed.
     EndLocal,
+}
+
+/// Constants are equal if their bits are: 1/0 and 1/(−0) are different formulas.
+impl PartialEq for Instruction {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Constant(a), Self::Constant(b)) => a.to_bits() == b.to_bits(),
+            (Self::Variable(a), Self::Variable(b)) | (Self::Local(a), Self::Local(b)) => a == b,
+            (Self::Unary(a), Self::Unary(b)) => a == b,
+            (Self::Binary(a), Self::Binary(b)) => a == b,
+            (Self::If, Self::If) | (Self::Clip, Self::Clip) | (Self::EndLocal, Self::EndLocal) => true,
+            _ => false,
+        }
+    }
 }
 
 /// Function of one number.

@@ -22,12 +22,12 @@ pub(crate) fn quarter_and_share(k1: Double, p_squared: Double) -> (Double, Doubl
     for _mean in 0..MOST_MEANS {
         let (p2, ag) = (p.square(), a * g);
         let sum = p2 + ag;
-        let epsilon = (p2 - ag) / sum;
+        let epsilon = (p2 - ag).over(sum);
         // 1 − ε = 2ag / (p² + ag).
-        share = share + weight * ag.scaled(2.0) / sum;
+        share = share + (weight * ag.scaled(2.0)).over(sum);
         weight = weight * epsilon.scaled(0.5);
         let converged = (a - g).high <= SQUARE_IS_NOTHING * a.high && epsilon.high <= SQUARE_IS_NOTHING;
-        p = sum / p.scaled(2.0);
+        p = sum.over(p.scaled(2.0));
         (a, g) = ((a + g).scaled(0.5), ag.sqrt());
         if converged {
             break;

@@ -29,7 +29,9 @@ const FEW_BODIES: usize = 2;
 pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, method: Method) {
     let (members, closed) = (portion.members, portion.closed);
     let mut states = Vec::new();
-    let mut kinds: Vec<(taylor::BatchKind, Vec<(usize, taylor::BatchBody<'_>)>)> = Vec::new();
+    let mut body = None;
+    let mut kinds: Vec<Vec<(usize, taylor::BatchBody<'_>)>> = Vec::new();
+    let mut last: Option<taylor::BatchBody<'_>> = None;
     for (k, member) in members.iter().enumerate() {
         let Member { rotor, torques, start, .. } = member;
         if member.is_watched() {
@@ -44,16 +46,21 @@ pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, 
         }
         let anew = Closed::default();
         let closed = closed.get(k).unwrap_or(&anew);
-        let closed = if method == Method::Auto { closed.of(member) } else { None };
+        let closed = if method == Method::Auto { closed.of(member, &mut body) } else { None };
         let in_lanes = closed.is_none() && matches!(method, Method::Auto | Method::Taylor);
         if let Some(motion) = closed {
             states.resize(BATCH, *start);
             evaluate(portion, k, motion, times, &mut states);
-        } else if let Some(body) = in_lanes.then(|| taylor::BatchBody::of(rotor, torques, *start)).flatten() {
-            let kind = body.kind(tolerance);
-            match kinds.iter_mut().find(|(other, _)| *other == kind) {
-                Some((_, bodies)) => bodies.push((k, body)),
-                None => kinds.push((kind, vec![(k, body)])),
+        } else if in_lanes && members.len() <= FEW_BODIES && taylor::has_series(rotor, torques) {
+            by_itself(portion, k, times, tolerance, &mut states);
+        } else if let Some(body) = in_lanes.then(|| of_member(member, last.as_ref())).flatten() {
+            last = Some(body.clone());
+            let same = |bodies: &&mut Vec<(usize, taylor::BatchBody<'_>)>| {
+                bodies.first().is_some_and(|(_, first)| first.is_like(&body))
+            };
+            match kinds.iter_mut().find(same) {
+                Some(bodies) => bodies.push((k, body)),
+                None => kinds.push(vec![(k, body)]),
             }
             continue;
         } else {
@@ -63,17 +70,10 @@ pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, 
             return;
         }
     }
-    for (_, bodies) in kinds {
+    for bodies in kinds {
         if bodies.len() <= FEW_BODIES {
-            for body in bodies {
-                let member = &members[body.0];
-                let motion = MemberMotion::alone(member, &member.torques, times, (Method::Taylor, tolerance));
-                if motion.ending.is_complete() {
-                    portion.put_motion(body.0, motion);
-                } else {
-                    // A lane also has the last good state, between two times.
-                    expand(portion, &[body], times, tolerance, &mut states);
-                }
+            for (k, _) in bodies {
+                by_itself(portion, k, times, tolerance, &mut states);
                 if !portion.done(1) {
                     return;
                 }
@@ -110,6 +110,25 @@ fn evaluate(portion: &mut Portion<'_>, k: usize, motion: &ClosedForm, times: &[f
     if let Some(cause) = beyond {
         let last = known.last().map_or(motion.start(), |&time| motion.at(time));
         portion.fail(k, from, last, cause);
+    }
+}
+
+/// Returns a member for a batch; it shares what acts on it with an equal one before it.
+fn of_member<'a>(member: &'a Member, last: Option<&taylor::BatchBody<'a>>) -> Option<taylor::BatchBody<'a>> {
+    let Member { rotor, torques, start, .. } = member;
+    let again = last.and_then(|last| last.again(rotor, torques, *start));
+    again.or_else(|| taylor::BatchBody::of(rotor, torques, *start))
+}
+
+/// Computes a member by Taylor's method, by itself.
+fn by_itself(portion: &mut Portion<'_>, k: usize, times: &[f64], tolerance: f64, states: &mut Vec<State>) {
+    let member = &portion.members[k];
+    let motion = MemberMotion::alone(member, &member.torques, times, (Method::Taylor, tolerance));
+    if motion.ending.is_complete() {
+        portion.put_motion(k, motion);
+    } else if let Some(body) = taylor::BatchBody::of(&member.rotor, &member.torques, member.start) {
+        // A lane also has the last good state, between two times.
+        expand(portion, &[(k, body)], times, tolerance, states);
     }
 }
 

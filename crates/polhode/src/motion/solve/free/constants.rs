@@ -55,7 +55,7 @@ impl Constants {
     pub(super) fn of(elements: &Elements, labelled: &Labelled, kg_m2: f64, rad_s: f64) -> Self {
         let ([i1, i2, i3], w) = (labelled.moments, labelled.omega.map(Triple::double));
         let moments = labelled.moments.map(Triple::double);
-        let ratio = |d: Triple, i: Double| if i.is_zero() { 0.0 } else { (d.double() / i).value() };
+        let ratio = |d: Triple, i: Double| if i.is_zero() { 0.0 } else { d.double().over(i).value() };
         let momentum = [0, 1, 2].map(|k| moments[k] * w[k]);
         let twice_t = momentum[0] * w[0] + momentum[1] * w[1] + momentum[2] * w[2];
         let k1 = elements.k1.value();

@@ -54,7 +54,7 @@ impl Elements {
         if self.momentum.is_zero() {
             return [0.0, 0.0, 1.0];
         }
-        self.amplitudes.map(|a| (a / self.momentum).value())
+        self.amplitudes.map(|a| a.over(self.momentum).value())
     }
 
     /// Returns 1 − m.
@@ -89,14 +89,15 @@ impl Elements {
         let [l1, l2, l3] = [i1 * v1, i2 * v2, i3 * v3];
         let axisymmetric = d21.is_zero();
 
+        // Only what the rates of the phases depend on needs the last two bits of a quotient.
         // ρ = (i3 − i2) i1 / ((i3 − i1) i2) and 1 − ρ = (i2 − i1) i3 / ((i3 − i1) i2)
         let (rho, rest) = if d31.is_zero() {
             (Double::ONE, Double::default())
         } else {
-            (d32 * i1 / (d31 * i2), d21 * i3 / (d31 * i2))
+            ((d32 * i1).over(d31 * i2), (d21 * i3).over(d31 * i2))
         };
         let a1 = (l1.square() + rho * l2.square()).sqrt();
-        let a2 = (l2.square() + if a1.is_zero() { Double::default() } else { l1.square() / rho }).sqrt();
+        let a2 = (l2.square() + if a1.is_zero() { Double::default() } else { l1.square().over(rho) }).sqrt();
         // amplitude of ω along axis 3: ω3² + (i2 (i2 − i1) / (i3 (i3 − i1))) ω2², valid also for a
         // rod, where i3 = 0
         let share = if axisymmetric { Double::default() } else { i2 * d21 / (i3 * d31) };
@@ -112,7 +113,7 @@ impl Elements {
         } else {
             let below = i3 * d32 * rate3.square();
             let k1 = (labelled.excess / below).sqrt().scaled(labelled.excess_unit);
-            (a1.square() * d21 / (i1 * below), k1, d21 * i3 / (d32 * i1))
+            ((a1.square() * d21).over(i1 * below), k1, (d21 * i3).over(d32 * i1))
         };
         let (quarter, share) =
             quarter_and_share(k1, if d32.is_zero() { Double::ONE } else { d31 * i2 / (d32 * i1) });
@@ -126,11 +127,11 @@ impl Elements {
             momentum.double() * d21 * share / (i1 * i2).scaled(2.0)
         };
         let precession = momentum / fine[1] + Triple::from(difference);
-        let start = if a1.is_zero() { [Double::ONE, Double::default()] } else { [l1 / a1, l2 / a2] };
+        let start = if a1.is_zero() { [Double::ONE, Double::default()] } else { [l1.over(a1), l2.over(a2)] };
         Self {
             momentum: momentum.double(),
             amplitudes: [a1, a2, a3],
-            rates: [a1 / i1, a2 / i2, rate3],
+            rates: [a1.over(i1), a2.over(i2), rate3],
             start,
             m,
             k1,

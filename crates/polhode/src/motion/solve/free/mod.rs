@@ -12,6 +12,7 @@
 mod axes;
 mod batch;
 mod block;
+mod body;
 mod compact;
 mod constants;
 mod derivatives;
@@ -28,8 +29,7 @@ mod trigonometric;
 use crate::body::principal::PrincipalFrame;
 use crate::math::frame::{Body, Space};
 use crate::math::number::Splat;
-use crate::math::symmetric3::{Symmetric3, power_of_two_near};
-use crate::math::triple::Triple;
+use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::{AngularAcceleration, AngularMomentum};
 
 use super::phase::Elapsed;
@@ -38,13 +38,12 @@ use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use axes::FineAxes;
 use constants::Constants;
 use elements::Elements;
 use kernel::Kernel;
-use labelled::Labelled;
 
 pub use batch::FreeMotions;
+pub(in crate::motion) use body::FreeBody;
 pub use derivatives::FreeMotionDerivatives;
 pub use regime::{PermanentAxis, Regime};
 
@@ -90,31 +89,9 @@ pub struct FreeMotion {
     kernel: Kernel,
 }
 
-/// Start of a motion along its labelled principal axes, in units that are powers of two.
-struct Labels {
-    fine: FineAxes,
-    labelled: Labelled,
-    /// Unit of ω, a power of two, rad/s.
-    unit: f64,
-}
-
-impl Labels {
-    fn of(tensor: &Symmetric3, principal: &PrincipalFrame<Body>, start: &State) -> Self {
-        let fine = FineAxes::of(tensor, principal);
-        let unit = power_of_two_near(start.omega.max_abs());
-        let omega = fine.along((start.omega / unit).to_array());
-        let labelled = Labelled::of(fine.moments, omega, fine.axes.map(|axis| axis.map(Triple::value)));
-        Self { fine, labelled, unit }
-    }
-}
-
 /// Rates need no scaling while the fastest component of ω is between 1/`MODERATE` and `MODERATE`,
 /// rad/s: no word of them leaves the range of f64.
 const MODERATE: f64 = 18_446_744_073_709_551_616.0;
-
-/// Least ratio of a moment to the greatest. Products of three moments must stay in the range of
-/// f64.
-const THINNEST: f64 = 1e-120;
 
 impl FreeMotion {
     /// Returns the torque-free motion that starts from a state.
@@ -124,10 +101,7 @@ impl FreeMotion {
     /// - [`MotionError::NoClosedForm`] for a body with wheels.
     /// - A parameter error ([`MotionError::is_parameter`]) for a state that is not finite.
     pub fn of(rotor: &Rotor, start: State) -> Result<Self, MotionError> {
-        if !rotor.wheels().is_empty() {
-            return Err(MotionError::NoClosedForm { why: "wheels spin in the body" });
-        }
-        Self::of_tensor(rotor.inertia().symmetric(), rotor.principal(), start)
+        Self::of_body(&FreeBody::of(rotor)?, start)
     }
 
     /// Returns the motion for principal moments along the body's x, y and z axes, kg·m².
@@ -162,27 +136,21 @@ impl FreeMotion {
 
     /// Like [`FreeMotion::of`], for a tensor that need not belong to a physical body.
     pub(in crate::motion) fn of_symmetric(tensor: &Symmetric3, start: State) -> Result<Self, MotionError> {
-        Self::of_tensor(tensor, &PrincipalFrame::of_symmetric(tensor), start)
+        Self::of_body(&FreeBody::of_tensor(tensor, &PrincipalFrame::of_symmetric(tensor))?, start)
     }
 
-    fn of_tensor(
-        tensor: &Symmetric3,
-        principal: &PrincipalFrame<Body>,
-        start: State,
-    ) -> Result<Self, MotionError> {
-        if principal.moments()[2] == 0.0 {
-            return Err(MotionError::NotSpinnable);
-        }
+    /// Returns the motion of a body whose axes are known.
+    ///
+    /// # Errors
+    /// A parameter error ([`MotionError::is_parameter`]) for a state that is not finite.
+    pub(in crate::motion) fn of_body(body: &FreeBody, start: State) -> Result<Self, MotionError> {
         let [wx, wy, wz] = start.omega.to_array();
         let rate = "a component of the start's angular velocity";
         for (what, value) in [("the start's time", start.time), (rate, wx), (rate, wy), (rate, wz)] {
             require::finite(what, value)?;
         }
-        for moment in principal.moments() {
-            let holds = moment == 0.0 || moment >= THINNEST * principal.moments()[2];
-            require::that("a principal moment", moment, holds, "zero or at least 1e-120 of the greatest")?;
-        }
-        let Labels { fine, labelled, unit } = Labels::of(tensor, principal, &start);
+        let FreeBody { axes, principal, .. } = body;
+        let (labelled, unit) = body.labelled(&start);
         let (labelled, elements) = if labelled.is_permanent() {
             let turned = labelled.about_omega();
             (turned, Elements::permanent(&turned))
@@ -194,14 +162,14 @@ impl FreeMotion {
         Ok(Self {
             start,
             principal: *principal,
-            regime: if fine.given {
+            regime: if axes.given {
                 Regime::of_exact(&labelled)
             } else {
                 Regime::of_rounded(&labelled, principal, start.omega)
             },
-            constants: Constants::of(&elements, &labelled, fine.unit, unit),
+            constants: Constants::of(&elements, &labelled, axes.unit, unit),
             unit: kernel_unit,
-            reach: reach::of(&elements, &labelled, fine.given, unit),
+            reach: reach::of(&elements, &labelled, axes.given, unit),
             kernel: Kernel::of(&elements, &labelled, [unit, phase_rates], start.attitude),
         })
     }

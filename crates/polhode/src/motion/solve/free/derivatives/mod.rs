@@ -11,7 +11,6 @@ mod short;
 mod trigonometric;
 
 use crate::math::machine::{Machine, Work, in_vectors};
-use crate::math::symmetric3::Symmetric3;
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
@@ -20,7 +19,7 @@ use crate::motion::model::state_derivatives::StateDerivatives;
 use crate::motion::solve::reach::is_within;
 
 use super::elements::Elements;
-use super::{FreeMotion, Labels};
+use super::{FreeBody, FreeMotion};
 use columns::ToBody;
 use functions::{Functions, TimeFunctions};
 use momentum::MomentumFlow;
@@ -95,14 +94,12 @@ impl FreeMotionDerivatives {
     /// The errors of [`FreeMotion::of`]. A parameter error ([`MotionError::is_parameter`]) if a
     /// principal moment is below 1e-8 of the greatest, as for a rod.
     pub fn of(rotor: &Rotor, start: State) -> Result<Self, MotionError> {
-        Self::with(FreeMotion::of(rotor, start)?, rotor.inertia().symmetric())
-    }
-
-    fn with(motion: FreeMotion, tensor: &Symmetric3) -> Result<Self, MotionError> {
+        let body = FreeBody::of(rotor)?;
+        let motion = FreeMotion::of_body(&body, start)?;
         let [least, _, greatest] = motion.principal.moments();
         let rule = "at least 1e-8 of the greatest, because derivatives are requested";
         require::that("a principal moment", least, least >= THINNEST * greatest, rule)?;
-        let Labels { labelled, fine, unit } = Labels::of(tensor, &motion.principal, &motion.start);
+        let (labelled, unit) = body.labelled(&start);
         let elements = Elements::of(&labelled);
         let flow = MomentumFlow::of(&elements, &labelled);
         let factor = unit / motion.unit;
@@ -111,7 +108,7 @@ impl FreeMotionDerivatives {
             flow,
             functions: Functions::of(&elements, factor),
             short: ShortSeries::of(&flow),
-            to_body: ToBody::of(&flow, &labelled, fine.unit, unit),
+            to_body: ToBody::of(&flow, &labelled, body.axes.unit, unit),
             momentum: elements.momentum.value(),
             factor,
             is_permanent: labelled.is_permanent(),

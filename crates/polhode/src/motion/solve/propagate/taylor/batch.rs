@@ -4,6 +4,7 @@
 //! no body waits. Lanes do not influence each other, so every result is bit-identical to that of a
 //! single body.
 
+use std::sync::Arc;
 use std::thread;
 
 use super::Expansion;
@@ -34,7 +35,6 @@ pub(in crate::motion) struct BatchKind {
     torques: TorqueKind,
     /// True with wheels or internal friction.
     has_inside: bool,
-    tolerance: u64,
 }
 
 /// Body with its torques and its start.
@@ -43,28 +43,51 @@ pub(in crate::motion) struct BatchBody<'a> {
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
     start: State,
+    acting: Arc<Acting>,
+}
+
+/// What acts on equal bodies: found once for all of them.
+#[derive(Debug)]
+struct Acting {
     decomposition: Decomposition,
-    has_inside: bool,
+    kind: BatchKind,
+}
+
+/// Returns true if a motion can be computed in a batch: not with schedules, or torques without a
+/// series.
+pub(in crate::motion) fn has_series(rotor: &Rotor, torques: &[TorqueModel]) -> bool {
+    let has_series = |torque: &TorqueModel| torque.model().roughness().is_none() && !torque.is_timed();
+    let is_steady = |wheel: &Wheel| !matches!(wheel.motor(), Motor::Torque { schedule: Some(_), .. });
+    torques.iter().all(has_series) && rotor.wheels().iter().all(is_steady)
 }
 
 impl<'a> BatchBody<'a> {
-    /// Returns `None` for motions that must be computed one by one: schedules, and torques without
-    /// a series.
+    /// Returns `None` for motions that must be computed one by one: see [`has_series`].
     pub(in crate::motion) fn of(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State) -> Option<Self> {
-        let has_series = |torque: &TorqueModel| torque.model().roughness().is_none() && !torque.is_timed();
-        let is_steady = |wheel: &Wheel| !matches!(wheel.motor(), Motor::Torque { schedule: Some(_), .. });
-        if !torques.iter().all(has_series) || !rotor.wheels().iter().all(is_steady) {
+        if !has_series(rotor, torques) {
             return None;
         }
         let has_inside =
             !rotor.wheels().is_empty() || torques.iter().any(|torque| torque.model().sink() != 0.0);
         let decomposition = Decomposition::of(rotor, torques.iter(), !has_inside);
-        Some(Self { rotor, torques, start, decomposition, has_inside })
+        let kind = BatchKind { torques: decomposition.kind(), has_inside };
+        Some(Self { rotor, torques, start, acting: Arc::new(Acting { decomposition, kind }) })
     }
 
-    pub(in crate::motion) fn kind(&self, tolerance: f64) -> BatchKind {
-        let torques = self.decomposition.kind();
-        BatchKind { torques, has_inside: self.has_inside, tolerance: tolerance.to_bits() }
+    /// Returns an equal body under equal torques from another start; `None` if one of them differs.
+    pub(in crate::motion) fn again(
+        &self,
+        rotor: &'a Rotor,
+        torques: &'a [TorqueModel],
+        start: State,
+    ) -> Option<Self> {
+        let is_equal = self.rotor == rotor && self.torques == torques;
+        is_equal.then(|| Self { rotor, torques, start, acting: Arc::clone(&self.acting) })
+    }
+
+    /// Returns true if both bodies can be in one batch.
+    pub(in crate::motion) fn is_like(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.acting, &other.acting) || self.acting.kind == other.acting.kind
     }
 }
 
@@ -208,7 +231,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
             failures: Vec::new(),
             lanes: (0..N::LANES).map(|_| None).collect(),
             rounds: 0,
-            expansion: Expansion::of(zero, &piece, &first.decomposition, work.tolerance, false),
+            expansion: Expansion::of(zero, &piece, &first.acting.decomposition, work.tolerance, false),
             base: ExpansionPoint::all(zero),
             omega_scale: zero,
             end: zero,
@@ -242,7 +265,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
                 let body = &self.work.bodies[index];
                 match Lane::of(index, body, &self.work, self.rounds) {
                     Ok(lane) => {
-                        self.expansion.set(k, &lane.piece, &body.decomposition);
+                        self.expansion.set(k, &lane.piece, &body.acting.decomposition);
                         self.base.put(k, &ExpansionPoint::new(&body.start, lane.to_body));
                         self.omega_scale.put(k, body.start.omega.norm().max(torque_rate(&lane.piece)));
                         self.end.put(k, self.work.times.last().copied().unwrap_or(body.start.time));

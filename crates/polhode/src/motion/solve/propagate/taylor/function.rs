@@ -65,23 +65,56 @@ fn where_zero<N: Number>(mut value: N, number: N, is_zero: impl Fn(usize) -> boo
     value
 }
 
-/// Returns coefficient n of y = ∫ u' w, component by component.
+/// Returns coefficient n of y = ∫ u' w, component by component, and stores coefficient n of t u' in
+/// `rates`, where the others are already.
 #[inline(always)]
-pub(super) fn rows_integral_by<N: Number>(u: &Series<N>, w: &Series<N>, n: usize) -> Row<N> {
-    rows_convolution(u, w, [n, n], |k| WHOLE[k]).over(n)
+pub(super) fn rows_integral_by<N: Number>(
+    u: &Series<N>,
+    w: &Series<N>,
+    rates: &mut Series<N>,
+    n: usize,
+) -> Row<N> {
+    let newest = u.at(n) * Row::splat(u.at(n).0[0].like(n as f64));
+    rates.set(n, newest);
+    rows_convolution(rates, w, n).over(n)
 }
 
-/// Returns coefficient n of y = ∫ u'/d, component by component.
+/// Returns coefficient n of y = ∫ u'/d, component by component, and stores coefficient n − 1 of y'
+/// in `rates`, where the others are already.
 #[inline(always)]
-pub(super) fn rows_integral_over<N: Number>(u: &Series<N>, d: &Series<N>, y: &Series<N>, n: usize) -> Row<N> {
-    let known = rows_convolution(d, y, [n, n - 1], |k| n as f64 - WHOLE[k]).over(n);
-    ratio(u.at(n) - known, d.at(0))
+pub(super) fn rows_integral_over<N: Number>(
+    u: &Series<N>,
+    d: &Series<N>,
+    rates: &mut Series<N>,
+    n: usize,
+) -> Row<N> {
+    let rate = u.at(n) * Row::splat(u.at(n).0[0].like(n as f64));
+    let newest = ratio(rate - rows_convolution(d, rates, n - 1), d.at(0));
+    rates.set(n - 1, newest);
+    newest.over(n)
+}
+
+/// Returns coefficient n of a², component by component.
+#[inline(always)]
+pub(super) fn rows_square<N: Number>(a: &Series<N>, n: usize) -> Row<N> {
+    if n == 0 {
+        return a.at(0) * a.at(0);
+    }
+    // Each product of two different coefficients occurs twice.
+    let count = (n - 1) / 2;
+    let mut sum = products(&a[1..=count], &a[n - count..n], Row::splat(a.at(0).0[0].like(0.0)));
+    if n.is_multiple_of(2) {
+        let middle = a.at(n / 2);
+        sum = (middle * Row::splat(middle.0[0].like(0.5))).mul_add(middle, sum);
+    }
+    let half = a.at(0).mul_add(a.at(n), sum);
+    half + half
 }
 
 /// Returns coefficient n of c = a/b, component by component.
 #[inline(always)]
 pub(super) fn rows_quotient<N: Number>(a: &Series<N>, b: &Series<N>, c: &Series<N>, n: usize) -> Row<N> {
-    ratio(a.at(n) - rows_convolution(b, c, [n, n], |_| 1.0), b.at(0))
+    ratio(a.at(n) - rows_convolution(b, c, n), b.at(0))
 }
 
 /// Returns a/b for the three components.
@@ -91,37 +124,37 @@ fn ratio<N: Number>(a: Row<N>, b: Row<N>) -> Row<N> {
     Row([x / p, y / q, z / r, x.like(0.0)])
 }
 
-/// Returns Σ f(k) aₖ bₙ₋ₖ, k = 1 … `last`, component by component, in the order of [`convolution`].
-/// If `last` is n − 1, f(n) must be zero.
+/// Returns Σ aₖ bₙ₋ₖ, k = 1 … n, component by component, in the order of [`convolution`].
 #[inline(always)]
-fn rows_convolution<N: Number>(
-    a: &Series<N>,
-    b: &Series<N>,
-    [n, last]: [usize; 2],
-    weight: impl Fn(usize) -> f64,
-) -> Row<N> {
-    let zero = a.at(0).0[0].like(0.0);
-    let number = |k: usize| Row::splat(zero.like(weight(k)));
-    let mut sums = [Row::splat(zero); 4];
-    let mut k = 1;
+fn rows_convolution<N: Number>(a: &Series<N>, b: &Series<N>, n: usize) -> Row<N> {
+    let none = Row::splat(a.at(0).0[0].like(0.0));
     if N::LANES > 1 {
-        while k + 3 <= last {
-            for (i, sum) in sums.iter_mut().enumerate() {
-                *sum = (number(k + i) * a.at(k + i)).mul_add(b.at(n - k - i), *sum);
-            }
-            k += 4;
+        return products(&a[1..=n], &b[..n], none);
+    }
+    let mut sums = [none; 4];
+    for (a, b) in a.forward().zip(b.backward(n)) {
+        for i in 0..4 {
+            sums[i] = a[i].mul_add(b[3 - i], sums[i]);
         }
-        for (i, sum) in sums.iter_mut().enumerate().take(3) {
-            if k + i <= last {
-                *sum = (number(k + i) * a.at(k + i)).mul_add(b.at(n - k - i), *sum);
-            }
+    }
+    let [first, second, third, fourth] = sums;
+    (first + second) + (third + fourth)
+}
+
+/// Returns the sum of the products of rows with those of a slice of the same length, from its end.
+/// `none`: zero.
+#[inline(always)]
+fn products<N: Number>(ahead: &[Row<N>], back: &[Row<N>], none: Row<N>) -> Row<N> {
+    let mut sums = [none; 4];
+    let ((fours, rest), (first, back)) = (ahead.as_chunks::<4>(), back.as_rchunks::<4>());
+    for (a, b) in fours.iter().zip(back.iter().rev()) {
+        for i in 0..4 {
+            sums[i] = a[i].mul_add(b[3 - i], sums[i]);
         }
-    } else {
-        for (a, b) in a.forward().zip(b.backward(n)) {
-            for i in 0..4 {
-                sums[i] = (number(k + i) * a[i]).mul_add(b[3 - i], sums[i]);
-            }
-            k += 4;
+    }
+    for i in 0..3 {
+        if i < rest.len() {
+            sums[i] = rest[i].mul_add(first[rest.len() - 1 - i], sums[i]);
         }
     }
     let [first, second, third, fourth] = sums;

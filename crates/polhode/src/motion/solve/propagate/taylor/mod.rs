@@ -27,7 +27,7 @@ mod torque;
 mod unit_product;
 mod variations;
 
-pub(in crate::motion) use batch::{BatchBody, BatchKind, advance};
+pub(in crate::motion) use batch::{BatchBody, advance, has_series};
 pub(super) use stepper::Taylor;
 
 use body_resolved::BodyResolved;

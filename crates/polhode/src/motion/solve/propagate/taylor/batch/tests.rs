@@ -213,8 +213,7 @@ fn every_kind_has_the_bits_that_each_body_has_alone() {
     for name in KINDS {
         for (count, tolerance) in [(1, 1e-15), (7, 1e-3), (8, 1e-12), (9, 1e-15), (100, 1e-8)] {
             let members: Vec<Member> = (0..count).map(|k| member(name, k)).collect();
-            let kinds: Vec<_> =
-                members.iter().map(|(rotor, torques, _)| kind(rotor, torques, tolerance)).collect();
+            let kinds: Vec<_> = members.iter().map(|(rotor, torques, _)| kind(rotor, torques)).collect();
             assert!(kinds[0].is_some() && kinds.iter().all(|kind| *kind == kinds[0]), "{name}: {kinds:?}");
             let [good, failed] = compare(&members, &TIMES, tolerance);
             assert!(count < 100 || good > 30 && failed > 5, "{name}: {good} {failed}");
@@ -277,17 +276,17 @@ fn what_changes_on_its_way_and_what_has_no_series_goes_alone() {
             schedule: crate::motion::model::torque::Schedule::window(1.0, 2.0).unwrap(),
         },
     ));
-    assert_eq!(kind(&rotor, &[scheduled], 1e-12), None);
+    assert_eq!(kind(&rotor, &[scheduled]), None);
     let rough = Formula::new([Instruction::Variable(0), Instruction::Unary(Unary::Abs)]).unwrap();
     let rough = FormulaTorque::Body([rough, Formula::constant(0.0), Formula::constant(0.0)]);
-    assert_eq!(kind(&rotor, &[TorqueModel::Formula(Box::new(rough))], 1e-12), None);
+    assert_eq!(kind(&rotor, &[TorqueModel::Formula(Box::new(rough))]), None);
     let schedule = Some(crate::motion::model::torque::Schedule::window(1.0, 2.0).unwrap());
     let motor = Motor::Torque { inertia: 0.1, torque: 0.1, schedule };
     let wheel = Wheel::new(Direction::new(0.0, 0.6, 0.8), 1.0, motor).unwrap();
-    assert_eq!(kind(&rotor.with_wheels(&[wheel]).unwrap(), &[], 1e-12), None);
+    assert_eq!(kind(&rotor.with_wheels(&[wheel]).unwrap(), &[]), None);
 }
 
-fn kind(rotor: &Rotor, torques: &[TorqueModel], tolerance: f64) -> Option<BatchKind> {
+fn kind(rotor: &Rotor, torques: &[TorqueModel]) -> Option<BatchKind> {
     let (attitude, omega) = (crate::math::Attitude::identity(), crate::math::AngularVelocity::ZERO);
-    Some(BatchBody::of(rotor, torques, State { time: 0.0, attitude, omega })?.kind(tolerance))
+    Some(BatchBody::of(rotor, torques, State { time: 0.0, attitude, omega })?.acting.kind.clone())
 }

@@ -9,7 +9,7 @@ use step::{Constant, TapeStep, circle_length, classify};
 
 use super::super::function::{
     angle, constant_power, hypotenuse, integral_by, integral_over, rows_integral_by, rows_integral_over,
-    rows_quotient,
+    rows_quotient, rows_square,
 };
 use super::super::recurrence::over;
 use super::super::row::{Row, Series};
@@ -35,6 +35,8 @@ pub(in super::super) struct Tape<N> {
     torque: usize,
     numbers: Vec<Scalars<N>>,
     vectors: Vec<Series<N>>,
+    /// Rates of the integrals among the vectors, or of their arguments.
+    rates: Vec<Series<N>>,
     constants: Vec<N>,
     constant_vectors: Vec<Row<N>>,
     /// Matrices, by columns.
@@ -65,7 +67,7 @@ impl<N: Number> Tape<N> {
     /// Creates the series for all bodies whose graphs have these operations.
     pub(in super::super) fn of(zero: N, graph: &Graph) -> Self {
         let (none, [numbers, vectors]) = (Row::splat(zero), graph.counts);
-        let (mut norms, mut compositions) = (Vec::new(), Vec::new());
+        let (mut norms, mut compositions, mut rates) = (Vec::new(), Vec::new(), Vec::new());
         // degree of each number and vector so far
         let mut degrees = [Vec::new(), Vec::new()];
         let steps = graph.operations.iter().map(|&operation| {
@@ -79,6 +81,12 @@ impl<N: Number> Tape<N> {
                 ) => {
                     compositions.push(Composition::all(zero));
                     compositions.len() - 1
+                }
+                Operation::Vector(
+                    VectorOperation::IntegralBy { .. } | VectorOperation::IntegralOver { .. },
+                ) => {
+                    rates.push(Series::all(zero));
+                    rates.len() - 1
                 }
                 _ => 0,
             };
@@ -102,6 +110,7 @@ impl<N: Number> Tape<N> {
             torque: graph.torque,
             numbers: vec![Scalars::all(zero); numbers],
             vectors: vec![Series::all(zero); vectors],
+            rates,
             constants: vec![zero; graph.constants.len()],
             constant_vectors: vec![none; graph.vectors.len()],
             matrices: vec![[none; 3]; graph.matrices.len()],
@@ -469,9 +478,9 @@ impl<N: Number> Tape<N> {
     /// Returns coefficient n of a vector.
     #[inline(always)]
     fn vector<M: SeriesSums<N = N>>(
-        &self,
+        &mut self,
         operation: &VectorOperation,
-        &TapeStep { place: own, constant, .. }: &TapeStep,
+        &TapeStep { place: own, beside, constant, .. }: &TapeStep,
         n: usize,
         known: &Known<'_, M>,
     ) -> Row<N> {
@@ -507,6 +516,7 @@ impl<N: Number> Tape<N> {
             Op::Product(a, b) => match constant {
                 Constant::First => rows[a].at(0) * rows[b].at(n),
                 Constant::Second => rows[a].at(n) * rows[b].at(0),
+                _ if a == b => rows_square(&rows[a], n),
                 _ => known.s.product(&rows[a], &rows[b], n),
             },
             Op::Quotient(a, b) => rows_quotient(&rows[a], &rows[b], &rows[own], n),
@@ -514,8 +524,12 @@ impl<N: Number> Tape<N> {
                 let [x, y, z, rest] = rows[of].at(0).0;
                 Row([x.map(|x| start.of(x)), y.map(|y| start.of(y)), z.map(|z| start.of(z)), rest])
             }
-            Op::IntegralBy { of, by, .. } => rows_integral_by(&rows[of], &rows[by], n),
-            Op::IntegralOver { of, over, .. } => rows_integral_over(&rows[of], &rows[over], &rows[own], n),
+            Op::IntegralBy { of, by, .. } => {
+                rows_integral_by(&rows[of], &rows[by], &mut self.rates[beside], n)
+            }
+            Op::IntegralOver { of, over, .. } => {
+                rows_integral_over(&rows[of], &rows[over], &mut self.rates[beside], n)
+            }
             Op::Image(k, a) => times(&self.matrices[k], rows[a].at(n)),
             Op::Of([x, y, z]) => {
                 let [x, y, z] = [x, y, z].map(|place| self.numbers[place][n]);

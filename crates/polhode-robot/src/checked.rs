@@ -24,6 +24,8 @@ pub struct Checked {
     pub excluded: usize,
     /// Lowest severity that fails.
     pub fail_on: Severity,
+    /// Command in the reports: `polhode check`.
+    pub(crate) command: &'static str,
     /// True if the request named exactly one file and no folder.
     pub(crate) is_one: bool,
 }

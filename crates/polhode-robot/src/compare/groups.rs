@@ -1,0 +1,191 @@
+//! Differences of the links of two groups: link by link if both have the same links with mass, and
+//! otherwise as sums.
+
+use polhode_document::number::number;
+use polhode_source::Failure;
+
+use super::difference::{FRAME, MASS, Sides, listed};
+use super::frames::{Aligned, Alignment};
+use super::link::Compared;
+use super::mass::Mass;
+use super::pairs::Pair;
+use super::robot::{Member, Robot};
+use super::sums::{Both, agree, own, subtrees};
+use crate::finding::Finding;
+use crate::line_index::FilePlace;
+use crate::model::Pose;
+
+/// Returns the differences of all pairs.
+///
+/// # Errors
+/// [`Failure`] that names a link whose mass cannot be part of a sum.
+pub(super) fn differences(
+    sides: &Sides<'_, '_>,
+    aligned: &Aligned<'_, '_>,
+    alignments: &[Alignment],
+) -> Result<Vec<Finding>, Failure> {
+    let sums = subtrees(aligned, alignments);
+    let mut found = Vec::new();
+    for (pair, alignment) in aligned.pairs.list.iter().zip(alignments) {
+        let shared: Vec<(&Member, &Member)> = pair.members(sides.a, sides.b).collect();
+        let is_by_link = !pair.is_whole || has_same_masses(sides, pair, &shared);
+        if !is_by_link {
+            found.extend(as_sum(sides, aligned.tolerance, pair, alignment)?);
+            continue;
+        }
+        let mut remark: Option<String> = None;
+        for (a, b) in shared {
+            let (Some(of_a), Some(of_b)) = (a.mass, b.mass) else {
+                found.extend(one_sided(sides, a, b));
+                continue;
+            };
+            // Pose of the first model's link in the second model's link.
+            let frame = b.pose.inverse().then(&alignment.pose.then(&a.pose));
+            let frame = if aligned.is_near(&frame, &Pose::IDENTITY) { Pose::IDENTITY } else { frame };
+            let moved = of_a.placed(&frame);
+            if moved.agrees(&of_b, aligned.tolerance) == [true; 3] {
+                continue;
+            }
+            let remark = remark.get_or_insert_with(|| remark_of(aligned, pair, alignment, &sums));
+            let compared = Compared {
+                subject: sides.b.name(b.link),
+                others: Vec::new(),
+                links: [sides.b.link(b), sides.a.link(a)],
+                a: moved,
+                b: of_b,
+                remark,
+            };
+            found.extend(compared.differences(sides, aligned.tolerance));
+        }
+    }
+    Ok(found)
+}
+
+/// Returns true if the same links have mass in both groups.
+fn has_same_masses(sides: &Sides<'_, '_>, pair: &Pair, shared: &[(&Member, &Member)]) -> bool {
+    let count = |robot: &Robot<'_>, group: usize| {
+        robot.groups.get(group).map_or(0, |group| group.members.iter().filter(|m| m.mass.is_some()).count())
+    };
+    let both = shared.iter().filter(|(a, b)| a.mass.is_some() && b.mass.is_some()).count();
+    let (of_a, of_b) = (count(sides.a, pair.a), count(sides.b, pair.b));
+    // A link alone in its group is compared as a link even if one side has no mass.
+    let is_single = shared.len() == 1 && of_a + of_b == 1 && shared.iter().any(|(a, b)| a.mass.or(b.mass).is_some());
+    both == of_a && both == of_b || is_single
+}
+
+/// Returns the difference of a link that has mass in one model only.
+fn one_sided(sides: &Sides<'_, '_>, a: &Member, b: &Member) -> Option<Finding> {
+    let words = |mass: Option<Mass>| mass.map_or("no mass".to_owned(), |m| format!("mass {} kg", number(m.mass, 6)));
+    if a.mass.is_none() && b.mass.is_none() {
+        return None;
+    }
+    let spans = [sides.b.link(b), sides.a.link(a)].map(|link| link.map(|link| link.name.span.clone()));
+    let message = format!("{}, in {} {}", words(b.mass), sides.name_a, words(a.mass));
+    let numbers = [("a", a.mass), ("b", b.mass)].map(|(name, mass)| (name, mass.map_or(0.0, |m| m.mass)));
+    let found = sides.finding(MASS, sides.b.name(b.link), spans, message);
+    Some(Finding { numbers: numbers.to_vec(), ..found })
+}
+
+/// Compares the sums of two groups with different links.
+fn as_sum(
+    sides: &Sides<'_, '_>,
+    tolerance: f64,
+    pair: &Pair,
+    alignment: &Alignment,
+) -> Result<Vec<Finding>, Failure> {
+    require_positive(sides.a, pair.a)?;
+    require_positive(sides.b, pair.b)?;
+    let (of_a, of_b) = (with_mass(sides.a, pair.a), with_mass(sides.b, pair.b));
+    let subject = of_b.first().or(of_a.first()).copied().unwrap_or("");
+    let first = |robot: &Robot<'_>, group: usize| {
+        let members = &robot.groups.get(group)?.members;
+        let member = members.iter().find(|member| member.mass.is_some()).or(members.first())?;
+        Some(robot.link(member)?.name.span.clone())
+    };
+    let spans = [first(sides.b, pair.b), first(sides.a, pair.a)];
+    let which = |links: &[&str]| match links {
+        [] => "no link with mass".to_owned(),
+        links => listed(links),
+    };
+    let words = format!("{} here, {} in {}", which(&of_b), which(&of_a), sides.name_a);
+    let others = of_b.iter().chain(&of_a).filter(|name| **name != subject).map(|name| (*name).to_owned());
+    let mut others: Vec<String> = others.collect();
+    others.sort();
+    others.dedup();
+    match own(pair, alignment, sides.a, sides.b) {
+        [Some(a), Some(b)] => {
+            let remark = format!(" (sum of {words})");
+            let compared = Compared { subject, others, links: [None; 2], a, b, remark: &remark };
+            let mut found = compared.differences(sides, tolerance);
+            let [span, related] = &spans;
+            let place = |found: Finding| {
+                let placed = sides.finding(found.code, subject, [span.clone(), related.clone()], found.message);
+                Finding { others: found.others, numbers: found.numbers, ..placed }
+            };
+            if found.is_empty() {
+                let message = format!("the sums of the rigid group agree: {words}");
+                return Ok(vec![sides.finding(FRAME, subject, spans, message)]);
+            }
+            found = found.into_iter().map(place).collect();
+            Ok(found)
+        }
+        [a, b] => {
+            let mass = |sum: Option<Mass>| sum.map_or(0.0, |sum| sum.mass);
+            let (a, b) = (mass(a), mass(b));
+            let message = format!("mass {} kg, in {} {} kg (sum of {words})", number(b, 6), sides.name_a, number(a, 6));
+            let found = sides.finding(MASS, subject, spans, message);
+            Ok(vec![Finding { others, numbers: vec![("a", a), ("b", b)], ..found }])
+        }
+    }
+}
+
+/// Refuses a mass that cannot be part of a sum.
+fn require_positive(robot: &Robot<'_>, group: usize) -> Result<(), Failure> {
+    let members = robot.groups.get(group).into_iter().flat_map(|group| &group.members);
+    for member in members {
+        let (Some(mass), Some(link)) = (member.mass, robot.link(member)) else { continue };
+        if !(mass.mass > 0.0) {
+            let name = &link.name.text;
+            let message = format!(
+                "the link {name:?} cannot be summed with the others of its rigid group: its mass is {} kg",
+                number(mass.mass, 6)
+            );
+            let FilePlace { file, line, column, .. } = robot.place(&link.name.span);
+            let hint = "`polhode check` reports the error and the fix";
+            return Err(Failure::located(message, file, [line, column], hint));
+        }
+    }
+    Ok(())
+}
+
+/// Returns the links with mass of a group.
+fn with_mass<'m>(robot: &Robot<'m>, group: usize) -> Vec<&'m str> {
+    let members = robot.groups.get(group).into_iter().flat_map(|group| &group.members);
+    members.filter(|member| member.mass.is_some()).map(|member| robot.name(member.link)).collect()
+}
+
+/// Returns the smallest sum that agrees although a link differs, in words.
+fn remark_of(
+    aligned: &Aligned<'_, '_>,
+    pair: &Pair,
+    alignment: &Alignment,
+    sums: &[Option<Both>],
+) -> String {
+    let Aligned { a, b, pairs, tolerance, .. } = aligned;
+    if pair.is_whole && agree(&own(pair, alignment, a, b), *tolerance) {
+        return "; the sum of its rigid group agrees: moved between links".to_owned();
+    }
+    let mut at = pairs.number(pair.a, pair.b);
+    while let Some(k) = at {
+        let Some(pair) = pairs.list.get(k) else { break };
+        if sums.get(k).and_then(Option::as_ref).is_some_and(|sum| agree(sum, *tolerance)) {
+            let below = match b.joint(pair.b) {
+                Some(joint) => format!("the subtree below joint {:?}", joint.name.text),
+                None => "all links".to_owned(),
+            };
+            return format!("; the sum of {below} agrees: moved between links");
+        }
+        at = pairs.above(pair, a, b);
+    }
+    String::new()
+}

@@ -1,0 +1,149 @@
+//! Correspondence of the groups of two models.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use super::names::Names;
+use super::robot::{Member, Robot};
+
+/// Corresponding groups of two models.
+#[derive(Debug)]
+pub(super) struct Pairs {
+    /// Pairs in the order of the first model's groups: parents before children.
+    pub(super) list: Vec<Pair>,
+    /// Number of each pair by its groups.
+    numbers: BTreeMap<(usize, usize), usize>,
+}
+
+/// Group of the first model and group of the second that share a link, or the joint above, or the
+/// group above or below.
+#[derive(Debug)]
+pub(super) struct Pair {
+    pub(super) a: usize,
+    pub(super) b: usize,
+    /// Links in both groups: index of the member in each group.
+    pub(super) shared: Vec<(usize, usize)>,
+    /// True if neither group corresponds to a second one.
+    pub(super) is_whole: bool,
+}
+
+impl Pairs {
+    pub(super) fn of(a: &Robot<'_>, b: &Robot<'_>, names: &Names) -> Self {
+        let mut found: BTreeMap<(usize, usize), Vec<(usize, usize)>> = BTreeMap::new();
+        let mut places: HashMap<&str, (usize, usize)> = HashMap::new();
+        for (k, group) in b.groups.iter().enumerate() {
+            places.extend(group.members.iter().enumerate().map(|(m, member)| (b.name(member.link), (k, m))));
+        }
+        for (k, group) in a.groups.iter().enumerate() {
+            for (m, member) in group.members.iter().enumerate() {
+                let other = names.links.of(a.name(member.link)).and_then(|name| places.get(name));
+                if let Some(&(other, n)) = other {
+                    found.entry((k, other)).or_default().push((m, n));
+                }
+            }
+        }
+        let mut open = Open::of(a, b, &found);
+        // Groups whose links were merged away are found by the joint above them.
+        let above: HashMap<&str, usize> =
+            (0..b.groups.len()).filter_map(|k| Some((b.joint(k)?.name.text.as_str(), k))).collect();
+        for k in 0..a.groups.len() {
+            let name = a.joint(k).and_then(|joint| names.joints.of(&joint.name.text));
+            if let Some(&other) = name.and_then(|name| above.get(name))
+                && open.take(k, other)
+            {
+                found.insert((k, other), Vec::new());
+            }
+        }
+        let mut waiting: Vec<(usize, usize)> = found.keys().copied().collect();
+        while let Some((k, other)) = waiting.pop() {
+            let parents =
+                a.groups.get(k).and_then(|own| own.parent).zip(b.groups.get(other).and_then(|own| own.parent));
+            if let Some((k, other)) = parents
+                && open.take(k, other)
+            {
+                found.insert((k, other), Vec::new());
+                waiting.push((k, other));
+            }
+        }
+        Self::listed(found)
+    }
+
+    fn listed(found: BTreeMap<(usize, usize), Vec<(usize, usize)>>) -> Self {
+        let (mut of_a, mut of_b): (BTreeMap<usize, usize>, BTreeMap<usize, usize>) = Default::default();
+        for &(a, b) in found.keys() {
+            *of_a.entry(a).or_default() += 1;
+            *of_b.entry(b).or_default() += 1;
+        }
+        let numbers = found.keys().enumerate().map(|(k, &pair)| (pair, k)).collect();
+        let is_one = |counts: &BTreeMap<usize, usize>, k: usize| counts.get(&k) == Some(&1);
+        let pair = |((a, b), shared)| Pair { a, b, shared, is_whole: is_one(&of_a, a) && is_one(&of_b, b) };
+        Self { list: found.into_iter().map(pair).collect(), numbers }
+    }
+
+    /// Returns the number of a pair.
+    pub(super) fn number(&self, a: usize, b: usize) -> Option<usize> {
+        self.numbers.get(&(a, b)).copied()
+    }
+
+    /// Returns the groups of the second model that correspond to a group of the first.
+    pub(super) fn of_a(&self, a: usize) -> impl Iterator<Item = usize> {
+        self.numbers.range((a, 0)..=(a, usize::MAX)).map(|(&(_, b), _)| b)
+    }
+
+    /// Returns the groups of the first model that correspond to each group of the second.
+    pub(super) fn of_b(&self) -> BTreeMap<usize, Vec<usize>> {
+        let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        self.list.iter().for_each(|pair| groups.entry(pair.b).or_default().push(pair.a));
+        groups
+    }
+
+    /// Returns for each pair the pairs below it: those whose joints hang at both of its groups.
+    pub(super) fn below(&self, a: &Robot<'_>, b: &Robot<'_>) -> Vec<Vec<usize>> {
+        let mut below = vec![Vec::new(); self.list.len()];
+        for (k, pair) in self.list.iter().enumerate() {
+            if let Some(slot) = self.above(pair, a, b).and_then(|above| below.get_mut(above)) {
+                slot.push(k);
+            }
+        }
+        below
+    }
+
+    /// Returns the pair of the groups above a pair.
+    pub(super) fn above(&self, pair: &Pair, a: &Robot<'_>, b: &Robot<'_>) -> Option<usize> {
+        self.number(a.groups.get(pair.a)?.parent?, b.groups.get(pair.b)?.parent?)
+    }
+}
+
+/// Groups without a pair.
+struct Open {
+    a: BTreeSet<usize>,
+    b: BTreeSet<usize>,
+}
+
+impl Open {
+    fn of(a: &Robot<'_>, b: &Robot<'_>, found: &BTreeMap<(usize, usize), Vec<(usize, usize)>>) -> Self {
+        let mut open = Self { a: (0..a.groups.len()).collect(), b: (0..b.groups.len()).collect() };
+        for (a, b) in found.keys() {
+            open.a.remove(a);
+            open.b.remove(b);
+        }
+        open
+    }
+
+    /// Takes two groups; returns false if one of them has a pair already.
+    fn take(&mut self, a: usize, b: usize) -> bool {
+        self.a.contains(&a) && self.b.contains(&b) && self.a.remove(&a) && self.b.remove(&b)
+    }
+}
+
+impl Pair {
+    /// Returns the shared links as members of both groups.
+    pub(super) fn members<'r>(
+        &self,
+        a: &'r Robot<'_>,
+        b: &'r Robot<'_>,
+    ) -> impl Iterator<Item = (&'r Member, &'r Member)> {
+        let (a, b) = (a.groups.get(self.a), b.groups.get(self.b));
+        let member = move |&(m, n): &(usize, usize)| Some((a?.members.get(m)?, b?.members.get(n)?));
+        self.shared.iter().filter_map(member)
+    }
+}

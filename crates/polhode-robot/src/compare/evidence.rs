@@ -33,9 +33,11 @@ impl Evidence {
                     evidence.shapes.push((one, other));
                 }
             }
-            evidence.masses.extend(one.in_group().zip(other.in_group()));
         }
-        if evidence.masses.is_empty() {
+        if pair.has_same_masses(a, b) {
+            let masses = pair.members(a, b).filter_map(|(a, b)| a.in_group().zip(b.in_group()));
+            evidence.masses.extend(masses);
+        } else {
             evidence.masses.extend(whole(a, pair.a).zip(whole(b, pair.b)));
         }
         evidence
@@ -70,7 +72,7 @@ impl Evidence {
 }
 
 /// Returns the sum of a group's masses, in its frame.
-pub(super) fn whole(robot: &Robot<'_>, group: usize) -> Option<Mass> {
+fn whole(robot: &Robot<'_>, group: usize) -> Option<Mass> {
     let masses: Vec<Mass> = robot.groups.get(group)?.members.iter().filter_map(Member::in_group).collect();
     Mass::sum(&masses)
 }

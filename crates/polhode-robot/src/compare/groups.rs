@@ -28,8 +28,7 @@ pub(super) fn differences(
     let mut found = Vec::new();
     for (pair, alignment) in aligned.pairs.list.iter().zip(alignments) {
         let shared: Vec<(&Member, &Member)> = pair.members(sides.a, sides.b).collect();
-        let is_by_link = !pair.is_whole || has_same_masses(sides, pair, &shared);
-        if !is_by_link {
+        if pair.is_whole && !pair.has_same_masses(sides.a, sides.b) {
             found.extend(as_sum(sides, aligned.tolerance, pair, alignment)?);
             continue;
         }
@@ -59,18 +58,6 @@ pub(super) fn differences(
         }
     }
     Ok(found)
-}
-
-/// Returns true if the same links have mass in both groups.
-fn has_same_masses(sides: &Sides<'_, '_>, pair: &Pair, shared: &[(&Member, &Member)]) -> bool {
-    let count = |robot: &Robot<'_>, group: usize| {
-        robot.groups.get(group).map_or(0, |group| group.members.iter().filter(|m| m.mass.is_some()).count())
-    };
-    let both = shared.iter().filter(|(a, b)| a.mass.is_some() && b.mass.is_some()).count();
-    let (of_a, of_b) = (count(sides.a, pair.a), count(sides.b, pair.b));
-    // A link alone in its group is compared as a link even if one side has no mass.
-    let is_single = shared.len() == 1 && of_a + of_b == 1 && shared.iter().any(|(a, b)| a.mass.or(b.mass).is_some());
-    both == of_a && both == of_b || is_single
 }
 
 /// Returns the difference of a link that has mass in one model only.

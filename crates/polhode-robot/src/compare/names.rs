@@ -1,6 +1,6 @@
 //! Names of links and joints in the first model and in the second.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
 use std::path::Path;
 
@@ -24,14 +24,51 @@ pub(super) struct Renamed {
 }
 
 impl Renamed {
+    /// Returns for each name of the first model the index of its partner in the second.
+    ///
+    /// Partners have the names of the map, otherwise the same name, otherwise the same last part of
+    /// a path, if it is the only one: `/robot/arm` of USD and `model::arm` of SDF are `arm`.
+    pub(super) fn partners(&self, a: &[&str], b: &[&str]) -> Vec<Option<usize>> {
+        let places: HashMap<&str, usize> = b.iter().enumerate().map(|(k, name)| (*name, k)).collect();
+        let mut partners: Vec<Option<usize>> =
+            a.iter().map(|name| self.of(name).and_then(|name| places.get(name)).copied()).collect();
+        let mut is_taken = vec![false; b.len()];
+        for k in partners.iter().flatten() {
+            is_taken.get_mut(*k).into_iter().for_each(|taken| *taken = true);
+        }
+        // For each last part: its first name, and the number of open names, in each model.
+        let mut parts: HashMap<&str, [(usize, usize); 2]> = HashMap::new();
+        let open_a = a.iter().enumerate().filter(|(k, name)| {
+            partners.get(*k) == Some(&None) && !self.to.contains_key(**name)
+        });
+        let open_b = b.iter().enumerate().filter(|(k, _)| is_taken.get(*k) == Some(&false));
+        for (side, k, name) in open_a.map(|(k, n)| (0, k, n)).chain(open_b.map(|(k, n)| (1, k, n))) {
+            if let Some(entry) = parts.entry(last_part(name)).or_default().get_mut(side) {
+                *entry = (k, entry.1 + 1);
+            }
+        }
+        for [(of_a, in_a), (of_b, in_b)] in parts.into_values() {
+            if let Some(slot) = partners.get_mut(of_a).filter(|_| (in_a, in_b) == (1, 1)) {
+                *slot = Some(of_b);
+            }
+        }
+        partners
+    }
+
     /// Returns the name in the second model. A name that another one is mapped to is not equal to
     /// itself.
-    pub(super) fn of<'n>(&'n self, name: &'n str) -> Option<&'n str> {
+    fn of<'n>(&'n self, name: &'n str) -> Option<&'n str> {
         match self.to.get(name) {
             Some(other) => Some(other),
             None => Some(name).filter(|name| !self.taken.contains(*name)),
         }
     }
+}
+
+/// Returns the last part of a path of USD or SDF.
+pub(super) fn last_part(name: &str) -> &str {
+    let name = name.rsplit_once("::").map_or(name, |(_, last)| last);
+    name.rsplit_once('/').map_or(name, |(_, last)| last)
 }
 
 impl Names {
@@ -110,11 +147,11 @@ impl Kind {
     }
 }
 
-fn links(model: &RobotModel) -> Vec<&str> {
+pub(super) fn links(model: &RobotModel) -> Vec<&str> {
     model.links.iter().map(|link| link.name.text.as_str()).collect()
 }
 
-fn joints(model: &RobotModel) -> Vec<&str> {
+pub(super) fn joints(model: &RobotModel) -> Vec<&str> {
     model.joints.iter().map(|joint| joint.name.text.as_str()).collect()
 }
 

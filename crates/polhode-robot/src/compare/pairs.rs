@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use super::names::Names;
+use super::names::{Names, joints, links};
 use super::robot::{Member, Robot};
 
 /// Corresponding groups of two models.
@@ -29,13 +29,14 @@ pub(super) struct Pair {
 impl Pairs {
     pub(super) fn of(a: &Robot<'_>, b: &Robot<'_>, names: &Names) -> Self {
         let mut found: BTreeMap<(usize, usize), Vec<(usize, usize)>> = BTreeMap::new();
-        let mut places: HashMap<&str, (usize, usize)> = HashMap::new();
+        let mut places: HashMap<usize, (usize, usize)> = HashMap::new();
         for (k, group) in b.groups.iter().enumerate() {
-            places.extend(group.members.iter().enumerate().map(|(m, member)| (b.name(member.link), (k, m))));
+            places.extend(group.members.iter().enumerate().map(|(m, member)| (member.link, (k, m))));
         }
+        let partners = names.links.partners(&links(a.model), &links(b.model));
         for (k, group) in a.groups.iter().enumerate() {
             for (m, member) in group.members.iter().enumerate() {
-                let other = names.links.of(a.name(member.link)).and_then(|name| places.get(name));
+                let other = partners.get(member.link).copied().flatten().and_then(|link| places.get(&link));
                 if let Some(&(other, n)) = other {
                     found.entry((k, other)).or_default().push((m, n));
                 }
@@ -43,11 +44,12 @@ impl Pairs {
         }
         let mut open = Open::of(a, b, &found);
         // Groups whose links were merged away are found by the joint above them.
-        let above: HashMap<&str, usize> =
-            (0..b.groups.len()).filter_map(|k| Some((b.joint(k)?.name.text.as_str(), k))).collect();
-        for k in 0..a.groups.len() {
-            let name = a.joint(k).and_then(|joint| names.joints.of(&joint.name.text));
-            if let Some(&other) = name.and_then(|name| above.get(name))
+        let partners = names.joints.partners(&joints(a.model), &joints(b.model));
+        let above: HashMap<usize, usize> =
+            b.groups.iter().enumerate().filter_map(|(k, group)| Some((group.joint?, k))).collect();
+        for (k, group) in a.groups.iter().enumerate() {
+            let joint = group.joint.and_then(|joint| partners.get(joint).copied().flatten());
+            if let Some(&other) = joint.and_then(|joint| above.get(&joint))
                 && open.take(k, other)
             {
                 found.insert((k, other), Vec::new());
@@ -145,5 +147,18 @@ impl Pair {
         let (a, b) = (a.groups.get(self.a), b.groups.get(self.b));
         let member = move |&(m, n): &(usize, usize)| Some((a?.members.get(m)?, b?.members.get(n)?));
         self.shared.iter().filter_map(member)
+    }
+
+    /// Returns true if the same links have mass in both groups. A link alone in its group counts even
+    /// if one side has no mass.
+    pub(super) fn has_same_masses(&self, a: &Robot<'_>, b: &Robot<'_>) -> bool {
+        let count = |robot: &Robot<'_>, group: usize| {
+            let members = robot.groups.get(group).into_iter().flat_map(|group| &group.members);
+            members.filter(|member| member.mass.is_some()).count()
+        };
+        let both = self.members(a, b).filter(|(a, b)| a.mass.is_some() && b.mass.is_some()).count();
+        let either = self.members(a, b).filter(|(a, b)| a.mass.is_some() || b.mass.is_some()).count();
+        let (of_a, of_b) = (count(a, self.a), count(b, self.b));
+        both == of_a && both == of_b || self.shared.len() == 1 && either == 1 && of_a + of_b == 1
     }
 }

@@ -18,8 +18,6 @@ pub(super) struct Robot<'m> {
     pub(super) model: &'m RobotModel,
     /// Groups, each after its parent. The first is the world's; it may be empty.
     pub(super) groups: Vec<Group>,
-    /// Group of each link.
-    pub(super) group_of: Vec<usize>,
     /// Length that distances are relative to: the largest distance of a frame or a centre of mass
     /// from its root, m.
     pub(super) size: f64,
@@ -63,9 +61,9 @@ impl<'m> Robot<'m> {
     /// [`Failure`] with its place, if the joints do not form a tree, or if a number cannot be used.
     pub(super) fn of(model: &'m RobotModel) -> Result<Self, Failure> {
         let places = Places::of(model);
-        let (groups, group_of) = groups(model).map_err(|error| error.in_model(model))?;
+        let groups = groups(model).map_err(|error| error.in_model(model))?;
         let size = size(&groups);
-        Ok(Self { model, groups, group_of, size, places })
+        Ok(Self { model, groups, size, places })
     }
 
     /// Returns the joint above a group.
@@ -103,8 +101,8 @@ impl<'m> Robot<'m> {
     }
 }
 
-/// Returns the groups, and the group of each link.
-fn groups(model: &RobotModel) -> Result<(Vec<Group>, Vec<usize>), LinkError> {
+/// Returns the groups.
+fn groups(model: &RobotModel) -> Result<Vec<Group>, LinkError> {
     let tree = Tree::of(model)?;
     require_bodies(model, None)?;
     let rigid = rigid(model, &tree)?;
@@ -141,7 +139,7 @@ fn groups(model: &RobotModel) -> Result<(Vec<Group>, Vec<usize>), LinkError> {
             (*own, *slot) = (group, frame);
         }
     }
-    Ok((groups, group_of))
+    Ok(groups)
 }
 
 /// Adds the groups below a parent, one for each of its joints to the same link, and returns the last

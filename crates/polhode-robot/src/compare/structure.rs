@@ -7,6 +7,7 @@ use super::difference::{
     FRAME, JOINT, LINK, NAME, Sides, ZERO, angle, distance, listed, two_points,
 };
 use super::frames::{Aligned, Alignment, Joints};
+use super::names::last_part;
 use super::pairs::Pair;
 use super::robot::{Robot, WORLD};
 use crate::finding::Finding;
@@ -68,7 +69,7 @@ fn is_renamed(sides: &Sides<'_, '_>, a: &Joint, b: &Joint) -> bool {
     let is_stated = |robot: &Robot<'_>, joint: &Joint| {
         robot.model.texts().any(|text| text.contains(joint.name.text.as_str()))
     };
-    a.name.text != b.name.text && is_stated(sides.a, a) && is_stated(sides.b, b)
+    last_part(&a.name.text) != last_part(&b.name.text) && is_stated(sides.a, a) && is_stated(sides.b, b)
 }
 
 /// Returns the note that a base is free in one model and fixed to the world in the other.

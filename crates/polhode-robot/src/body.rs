@@ -88,7 +88,12 @@ fn assumed(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
 
 fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<LinkMass, LinkError> {
     let impossible = |error| LinkError::impossible(&error, &inertial.span);
-    let Stated { mass, moments, products, printed } = stated(format, inertial)?;
+    let mass = number("mass", &inertial.mass)?;
+    if let Some(Number { text, span, .. }) = inertial.pose.unreadable.first() {
+        let message = format!("its inertial frame has {text:?}, which is not a finite number");
+        return Err(LinkError::of_number(message, span));
+    }
+    let (moments, products, printed) = elements(format, &inertial.tensor)?;
     if mass == 0.0 && moments.iter().chain(&products).all(|&element| element == 0.0) {
         return Ok(LinkMass::None);
     }
@@ -100,36 +105,9 @@ fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<LinkMass, Lin
     Ok(LinkMass::Body(LinkBody { properties, rounding }))
 }
 
-/// Numbers of an inertial, which may be unphysical.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Stated {
-    /// Mass, kg.
-    pub(crate) mass: f64,
-    /// Moments xx, yy, zz, axes of the inertial's frame, kg·m².
-    pub(crate) moments: [f64; 3],
-    /// Elements xy, xz, yz of the tensor, kg·m².
-    pub(crate) products: [f64; 3],
-    /// Rounding error of the digits, kg·m².
-    printed: f64,
-}
-
-/// Returns the numbers of an inertial, whether physical or not.
-///
-/// # Errors
-/// [`LinkError`] if a number or the pose cannot be read.
-pub(crate) fn stated(format: ModelFormat, inertial: &Inertial) -> Result<Stated, LinkError> {
-    let mass = number("mass", &inertial.mass)?;
-    if let Some(Number { text, span, .. }) = inertial.pose.unreadable.first() {
-        let message = format!("its inertial frame has {text:?}, which is not a finite number");
-        return Err(LinkError::of_number(message, span));
-    }
-    let (moments, products, printed) = elements(format, &inertial.tensor)?;
-    Ok(Stated { mass, moments, products, printed })
-}
-
 /// Returns the moments, the products (elements of the tensor), and the rounding error of the
 /// digits, kg·m².
-fn elements(format: ModelFormat, tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
+pub(crate) fn elements(format: ModelFormat, tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
     match tensor {
         Tensor::Missing(span) => Err(LinkError::of_number("it has no inertia tensor", span)),
         Tensor::Diagonal(slots) => {

@@ -94,8 +94,12 @@ fn compared(
     let (robot_a, robot_b) = (Robot::of(a)?, Robot::of(b)?);
     let pairs = Pairs::of(&robot_a, &robot_b, names);
     if pairs.list.is_empty() {
-        let message = format!("no link and no joint of {} has a partner in {}", shown(&request.a), shown(&request.b));
-        return Err(Failure::usage(message, "map the names with --map FILE: [links], then \"name in A\" = \"name in B\""));
+        let message =
+            format!("no link and no joint of {} has a partner in {}", shown(&request.a), shown(&request.b));
+        return Err(Failure::usage(
+            message,
+            "map the names with --map FILE: [links], then \"name in A\" = \"name in B\"",
+        ));
     }
     let tolerance = request.tolerance();
     let size = f64::max(robot_a.size, robot_b.size);
@@ -105,7 +109,7 @@ fn compared(
     let sides = Sides { a: &robot_a, b: &robot_b, name_a, name_b };
     let mut findings = notes(&sides);
     for (pair, alignment) in pairs.list.iter().zip(&alignments) {
-        findings.extend(structure::joints(&sides, pair, alignment));
+        findings.extend(structure::joints(&sides, &pairs, pair, alignment));
     }
     findings.extend(structure::divided(&sides, &aligned));
     findings.extend(structure::alone(&sides, &aligned));

@@ -148,4 +148,3 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
 fn slack(body: &Body) -> f64 {
     body.rounding.iter().fold(0.0, |max, h| f64::max(max, *h))
 }
-

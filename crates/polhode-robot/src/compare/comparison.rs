@@ -128,7 +128,10 @@ fn finding(places: Option<&Places<'_>>, finding: &Finding) -> Value {
     // A finding about the first model only has no place in the second.
     let place = places.filter(|_| finding.span != (0..0)).map(|places| places.place(&finding.span));
     let of_b = place.map(|FilePlace { file, line, column, .. }| json!({ "file": file.to_string_lossy(), "line": line, "column": column }));
-    let of_a = finding.related.as_ref().map(|Related { file, line, column }| json!({ "file": file, "line": line, "column": column }));
+    let of_a = finding
+        .related
+        .as_ref()
+        .map(|Related { file, line, column }| json!({ "file": file, "line": line, "column": column }));
     json!({
         "code": finding.code,
         "link": finding.subject,

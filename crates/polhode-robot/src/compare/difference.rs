@@ -18,6 +18,7 @@ pub(super) const LINK: &str = "compare.link";
 pub(super) const FRAME: &str = "compare.frame";
 pub(super) const ZERO: &str = "compare.zero";
 pub(super) const NAME: &str = "compare.name";
+pub(super) const SKIPPED: &str = "compare.skipped";
 
 /// Both models, with their names in messages.
 #[derive(Debug)]
@@ -75,7 +76,11 @@ pub(super) fn distance(length: f64) -> String {
 
 /// Formats an angle in degrees; small ones in rad.
 pub(super) fn angle(angle: f64) -> String {
-    if angle < 1e-4 { format!("{} rad", number(angle, 4)) } else { format!("{}°", number(angle.to_degrees(), 4)) }
+    if angle < 1e-4 {
+        format!("{} rad", number(angle, 4))
+    } else {
+        format!("{}°", number(angle.to_degrees(), 4))
+    }
 }
 
 /// Joins names: `"a", "b" and "c"`

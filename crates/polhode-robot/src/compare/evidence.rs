@@ -21,9 +21,8 @@ pub(super) struct Evidence {
 
 impl Evidence {
     pub(super) fn of(pair: &Pair, below: &[&Pair], a: &Robot<'_>, b: &Robot<'_>) -> Self {
-        let placed = |robot: &Robot<'_>, group: usize| {
-            Some(robot.axis(group)?.placed(&robot.groups.get(group)?.pose))
-        };
+        let placed =
+            |robot: &Robot<'_>, group: usize| Some(robot.axis(group)?.placed(&robot.groups.get(group)?.pose));
         let axes = below.iter().filter_map(|child| placed(a, child.a).zip(placed(b, child.b)));
         let mut evidence = Self { axes: axes.collect(), ..Self::default() };
         for (one, other) in pair.members(a, b) {
@@ -46,9 +45,8 @@ impl Evidence {
     /// Counts the facts that agree if `pose` is the pose of the first group in the second.
     pub(super) fn votes(&self, pose: &Pose, tolerance: f64, size: f64) -> usize {
         let axes = self.axes.iter().filter(|(a, b)| a.placed(pose).agrees(b, tolerance, size)).count();
-        let is_near = |a: &[f64; 3], b: &[f64; 3]| {
-            within(length(vector(pose.placed(*a), *b)), tolerance * size)
-        };
+        let is_near =
+            |a: &[f64; 3], b: &[f64; 3]| within(length(vector(pose.placed(*a), *b)), tolerance * size);
         let is_placed = |(a, b): &&(Vec<_>, Vec<_>)| a.iter().zip(b).all(|(a, b)| is_near(a, b));
         let shapes = self.shapes.iter().filter(is_placed).count();
         let of_mass = |(a, b): &(Mass, Mass)| {

@@ -10,7 +10,7 @@
 
 use super::axis::Axis;
 use super::evidence::Evidence;
-use super::mass::{length, within};
+use super::mass::{length, vector, within};
 use super::pairs::{Pair, Pairs};
 use super::robot::{Group, Robot};
 use crate::model::{JointKind, Pose};
@@ -39,7 +39,7 @@ pub(super) enum Joints {
     Axis(Axis, Axis),
     /// Groups that hang at different groups, or only one of which is a root.
     Place,
-    /// Free, ball or other joints with different poses in the files.
+    /// Ball or other joints with another anchor, or another pose of the child.
     Rest,
 }
 
@@ -105,7 +105,13 @@ impl Aligned<'_, '_> {
             }
             None => {
                 let pose = self.best([kinematic.clone()].into_iter().chain(own), evidence);
-                let joints = if self.is_near(&pose, &kinematic) { Joints::Same } else { Joints::Rest };
+                let anchors = self.a.joint(pair.a).zip(self.b.joint(pair.b));
+                let is_anchored = anchors.is_none_or(|(a, b)| {
+                    let apart = length(vector(kinematic.placed(a.anchor), b.anchor));
+                    within(apart, self.tolerance * self.size)
+                });
+                let is_same = is_anchored && self.is_near(&pose, &kinematic);
+                let joints = if is_same { Joints::Same } else { Joints::Rest };
                 Alignment { pose, zero: 0.0, joints }
             }
         }

@@ -4,16 +4,21 @@
 use polhode_document::number::number;
 use polhode_source::Failure;
 
-use super::difference::{FRAME, MASS, Sides, listed};
+use super::difference::{FRAME, LINK, MASS, Sides, listed};
 use super::frames::{Aligned, Alignment};
 use super::link::Compared;
 use super::mass::Mass;
 use super::pairs::Pair;
 use super::robot::{Member, Robot};
 use super::sums::{Both, agree, own, subtrees};
+use crate::body::link_mass;
 use crate::finding::Finding;
 use crate::line_index::FilePlace;
+use crate::link_error::LinkError;
 use crate::model::Pose;
+
+/// Upper bound on the links of equal mass that are compared with one link.
+const MOST: usize = 16;
 
 /// Returns the differences of all pairs.
 ///
@@ -25,6 +30,7 @@ pub(super) fn differences(
     alignments: &[Alignment],
 ) -> Result<Vec<Finding>, Failure> {
     let sums = subtrees(aligned, alignments);
+    let strangers = Strangers::of(sides.a);
     let mut found = Vec::new();
     for (pair, alignment) in aligned.pairs.list.iter().zip(alignments) {
         let shared: Vec<(&Member, &Member)> = pair.members(sides.a, sides.b).collect();
@@ -45,6 +51,11 @@ pub(super) fn differences(
             if moved.agrees(&of_b, aligned.tolerance) == [true; 3] {
                 continue;
             }
+            require_readable(sides.b, b, [&moved, &of_b])?;
+            if let Some(other) = strangers.find(&of_b, a.link, aligned.tolerance) {
+                found.push(stranger(sides, a, b, other));
+                continue;
+            }
             let remark = remark.get_or_insert_with(|| remark_of(aligned, pair, alignment, &sums));
             let compared = Compared {
                 subject: sides.b.name(b.link),
@@ -60,9 +71,44 @@ pub(super) fn differences(
     Ok(found)
 }
 
+/// Mass properties of the first model's links in their own frames, ascending by mass.
+struct Strangers(Vec<(Mass, usize)>);
+
+impl Strangers {
+    fn of(robot: &Robot<'_>) -> Self {
+        let members = robot.groups.iter().flat_map(|group| &group.members);
+        let mut masses: Vec<_> = members.filter_map(|member| Some((member.mass?, member.link))).collect();
+        masses.sort_by(|(a, _), (b, _)| a.mass.total_cmp(&b.mass));
+        Self(masses)
+    }
+
+    /// Returns the only link other than its partner whose numbers a link of the second model has.
+    fn find(&self, mass: &Mass, partner: usize, tolerance: f64) -> Option<usize> {
+        let least = mass.mass - 2.0 * tolerance * mass.mass.abs();
+        let start = self.0.partition_point(|(other, _)| other.mass < least);
+        let near = self.0.iter().skip(start).take(MOST);
+        let mut same = near.filter(|(other, _)| other.agrees(mass, tolerance) == [true; 3]);
+        let (_, link) = same.next().filter(|(_, link)| *link != partner)?;
+        same.next().is_none().then_some(*link)
+    }
+}
+
+/// Returns the difference of a link that has the numbers of another one.
+fn stranger(sides: &Sides<'_, '_>, a: &Member, b: &Member, other: usize) -> Finding {
+    let spans = [sides.b.link(b), sides.a.link(a)].map(|link| link.map(|link| link.name.span.clone()));
+    let message =
+        format!("mass, centre and tensor are those of {:?} in {}", sides.a.name(other), sides.name_a);
+    let found = sides.finding(LINK, sides.b.name(b.link), spans, message);
+    Finding { others: vec![sides.a.name(other).to_owned()], ..found }
+}
+
 /// Returns the difference of a link that has mass in one model only.
 fn one_sided(sides: &Sides<'_, '_>, a: &Member, b: &Member) -> Option<Finding> {
-    let words = |mass: Option<Mass>| mass.map_or("no mass".to_owned(), |m| format!("mass {} kg", number(m.mass, 6)));
+    let words = |mass: Option<Mass>| match mass {
+        None => "no mass".to_owned(),
+        Some(mass) if mass.mass.is_finite() => format!("mass {} kg", number(mass.mass, 6)),
+        Some(_) => "a mass that cannot be read".to_owned(),
+    };
     if a.mass.is_none() && b.mass.is_none() {
         return None;
     }
@@ -106,7 +152,8 @@ fn as_sum(
             let mut found = compared.differences(sides, tolerance);
             let [span, related] = &spans;
             let place = |found: Finding| {
-                let placed = sides.finding(found.code, subject, [span.clone(), related.clone()], found.message);
+                let placed =
+                    sides.finding(found.code, subject, [span.clone(), related.clone()], found.message);
                 Finding { others: found.others, numbers: found.numbers, ..placed }
             };
             if found.is_empty() {
@@ -119,7 +166,8 @@ fn as_sum(
         [a, b] => {
             let mass = |sum: Option<Mass>| sum.map_or(0.0, |sum| sum.mass);
             let (a, b) = (mass(a), mass(b));
-            let message = format!("mass {} kg, in {} {} kg (sum of {words})", number(b, 6), sides.name_a, number(a, 6));
+            let message =
+                format!("mass {} kg, in {} {} kg (sum of {words})", number(b, 6), sides.name_a, number(a, 6));
             let found = sides.finding(MASS, subject, spans, message);
             Ok(vec![Finding { others, numbers: vec![("a", a), ("b", b)], ..found }])
         }
@@ -131,6 +179,7 @@ fn require_positive(robot: &Robot<'_>, group: usize) -> Result<(), Failure> {
     let members = robot.groups.get(group).into_iter().flat_map(|group| &group.members);
     for member in members {
         let (Some(mass), Some(link)) = (member.mass, robot.link(member)) else { continue };
+        require_readable(robot, member, [&mass, &mass])?;
         if !(mass.mass > 0.0) {
             let name = &link.name.text;
             let message = format!(
@@ -145,6 +194,18 @@ fn require_positive(robot: &Robot<'_>, group: usize) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Refuses a link of which a quantity cannot be read in both files.
+fn require_readable(robot: &Robot<'_>, member: &Member, masses: [&Mass; 2]) -> Result<(), Failure> {
+    let [a, b] = masses.map(Mass::readable);
+    let (true, Some(link)) = ((0..3).any(|k| !a[k] && !b[k]), robot.link(member)) else { return Ok(()) };
+    let name = &link.name.text;
+    let error = match link_mass(robot.model.format, link) {
+        Err(error) => error,
+        Ok(_) => LinkError::of_number("its mass properties cannot be read", &link.span),
+    };
+    Err(error.of_link(name).in_model(robot.model))
+}
+
 /// Returns the links with mass of a group.
 fn with_mass<'m>(robot: &Robot<'m>, group: usize) -> Vec<&'m str> {
     let members = robot.groups.get(group).into_iter().flat_map(|group| &group.members);
@@ -152,12 +213,7 @@ fn with_mass<'m>(robot: &Robot<'m>, group: usize) -> Vec<&'m str> {
 }
 
 /// Returns the smallest sum that agrees although a link differs, in words.
-fn remark_of(
-    aligned: &Aligned<'_, '_>,
-    pair: &Pair,
-    alignment: &Alignment,
-    sums: &[Option<Both>],
-) -> String {
+fn remark_of(aligned: &Aligned<'_, '_>, pair: &Pair, alignment: &Alignment, sums: &[Option<Both>]) -> String {
     let Aligned { a, b, pairs, tolerance, .. } = aligned;
     if pair.is_whole && agree(&own(pair, alignment, a, b), *tolerance) {
         return "; the sum of its rigid group agrees: moved between links".to_owned();

@@ -38,12 +38,24 @@ impl Compared<'_> {
         found
     }
 
+    /// Returns the message about a quantity that one of the files states in a form that cannot be
+    /// read; `index` counts mass, centre and tensor.
+    fn unreadable(&self, sides: &Sides<'_, '_>, index: usize, what: &str) -> Option<String> {
+        match [&self.a, &self.b].map(|body| body.readable()[index]) {
+            [true, true] => None,
+            [true, false] => Some(format!("{what} that cannot be read, unlike that in {}", sides.name_a)),
+            _ => Some(format!("{what}, which cannot be read in {}", sides.name_a)),
+        }
+    }
+
     fn mass(&self, sides: &Sides<'_, '_>, slips: Slips<'_>) -> Finding {
         let (a, b) = (self.a.mass, self.b.mass);
         let [of_a, of_b] = two(a, b);
         let explanation = slips.of_mass(a, b);
         let ratio = ratio(b / a).filter(|_| explanation.is_none());
+        let unreadable = self.unreadable(sides, 0, "a mass");
         let message = format!("mass {of_b} kg, in {} {of_a} kg", sides.name_a);
+        let message = unreadable.unwrap_or(message);
         let spans = self.spans(|inertial| inertial.mass.span());
         let found = self.finding(sides, MASS, spans, message, ratio, explanation);
         Finding { numbers: vec![("a", a), ("b", b)], ..found }
@@ -53,8 +65,10 @@ impl Compared<'_> {
         let (a, b) = (self.a.center, self.b.center);
         let apart = length(vector(a, b));
         let [of_a, of_b] = two_points(a, b);
+        let unreadable = self.unreadable(sides, 1, "a centre of mass");
+        let words = unreadable.is_none().then(|| format!("{} apart", distance(apart)));
         let message = format!("centre of mass {of_b} m, in {} {of_a} m", sides.name_a);
-        let words = Some(format!("{} apart", distance(apart)));
+        let message = unreadable.unwrap_or(message);
         let spans = self.spans(|inertial| inertial.pose.span.clone().unwrap_or(inertial.span.clone()));
         let found = self.finding(sides, CENTER, spans, message, words, slips.of_center(a, b));
         Finding { numbers: vec![("distance", apart)], ..found }
@@ -84,7 +98,10 @@ impl Compared<'_> {
             }
         };
         let relative = norm(&change) / size;
-        let words = Some(format!("the tensor differs by {} (relative)", number(relative, 3)));
+        let unreadable = self.unreadable(sides, 2, "a tensor");
+        let words =
+            unreadable.is_none().then(|| format!("the tensor differs by {} (relative)", number(relative, 3)));
+        let message = unreadable.unwrap_or(message);
         let center = |body: &Mass| (body.mass, frame.turned(body.center));
         let explanation = slips.of_tensor(&a, &b, [center(&self.a), center(&self.b)]);
         let first = differ.first().copied();
@@ -126,7 +143,11 @@ impl Compared<'_> {
 /// Returns the ratio in words.
 fn ratio(ratio: f64) -> Option<String> {
     let near = (ratio - 1.0).abs() < 1e-3;
-    let words = if near { format!("{} (relative)", signed(ratio - 1.0)) } else { format!("{} times", number(ratio, 4)) };
+    let words = if near {
+        format!("{} (relative)", signed(ratio - 1.0))
+    } else {
+        format!("{} times", number(ratio, 4))
+    };
     (ratio.is_finite() && ratio != 0.0).then_some(words)
 }
 

@@ -2,7 +2,7 @@
 
 use polhode::math::Body;
 
-use crate::body::{LinkMass, Stated, link_mass, stated};
+use crate::body::{self, LinkMass, link_mass};
 use crate::link_error::LinkError;
 use crate::model::{ComputedMass, Inertial, Link, ModelFormat, Pose};
 use crate::moments::{Elements, difference, elements, matrix, norm, parallel_axes, trace};
@@ -20,17 +20,18 @@ pub(super) struct Mass {
 }
 
 impl Mass {
-    /// Returns the numbers of a link in its own frame; `None` for a frame without mass.
+    /// Returns the numbers of a link in its own frame; `None` for a frame without mass. Numbers that
+    /// cannot be read are NaN.
     ///
     /// # Errors
-    /// [`LinkError`] if a number cannot be read, or if the mass cannot be computed.
+    /// [`LinkError`] if the mass cannot be computed.
     pub(super) fn of(format: ModelFormat, link: &Link) -> Result<Option<Self>, LinkError> {
         match (&link.computed, &link.inertial) {
             (Some(Ok(ComputedMass { mass, .. })), _) if *mass == 0.0 => Ok(None),
             (Some(Ok(ComputedMass { mass, center, tensor })), _) => {
                 Ok(Some(Self { mass: *mass, center: *center, tensor: *tensor }))
             }
-            (None, Some(inertial)) => Self::of_inertial(format, inertial),
+            (None, Some(inertial)) => Ok(Self::of_inertial(format, inertial)),
             (Some(Err(_)), _) | (None, None) => Ok(match link_mass(format, link)? {
                 LinkMass::None => None,
                 LinkMass::Body(body) => Some(Self {
@@ -42,16 +43,22 @@ impl Mass {
         }
     }
 
-    fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<Option<Self>, LinkError> {
-        let Stated { mass, moments: [xx, yy, zz], products: [xy, xz, yz], .. } = stated(format, inertial)?;
-        let written = [xx, yy, zz, xy, xz, yz];
+    /// Returns the numbers of an inertial; those that cannot be read are NaN.
+    fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Option<Self> {
+        let mass = inertial.mass.finite().unwrap_or(f64::NAN);
+        let written = match body::elements(format, &inertial.tensor) {
+            Ok(([xx, yy, zz], [xy, xz, yz], _)) => [xx, yy, zz, xy, xz, yz],
+            Err(_) => [f64::NAN; 6],
+        };
         if mass == 0.0 && written == [0.0; 6] {
-            return Ok(None);
+            return None;
         }
         let place = Placement::<Body, Body>::of(&inertial.pose);
-        let place = place.map_err(|error| LinkError::impossible(&error, &inertial.span))?;
+        let Some(place) = place.ok().filter(|_| inertial.pose.unreadable.is_empty()) else {
+            return Some(Self { mass, center: [f64::NAN; 3], tensor: [f64::NAN; 6] });
+        };
         let frame = Pose::new(place.position.to_array(), place.rotation.quaternion());
-        Ok(Some(Self { mass, center: [0.0; 3], tensor: written }.placed(&frame)))
+        Some(Self { mass, center: [0.0; 3], tensor: written }.placed(&frame))
     }
 
     /// Returns the mass properties in the outer frame of a pose.
@@ -94,6 +101,12 @@ impl Mass {
             within(length(vector(self.center, other.center)), scale(Self::reach)),
             within(norm(&difference(&self.tensor, &other.tensor)), scale(|body| norm(&body.tensor))),
         ]
+    }
+
+    /// Returns true for each of mass, centre and tensor that can be read.
+    pub(super) fn readable(&self) -> [bool; 3] {
+        let is_finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
+        [self.mass.is_finite(), is_finite(&self.center), is_finite(&self.tensor)]
     }
 
     /// Returns the larger of the centre's distance from the origin and the radius of gyration, m.

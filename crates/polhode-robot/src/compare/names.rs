@@ -38,9 +38,10 @@ impl Renamed {
         }
         // For each last part: its first name, and the number of open names, in each model.
         let mut parts: HashMap<&str, [(usize, usize); 2]> = HashMap::new();
-        let open_a = a.iter().enumerate().filter(|(k, name)| {
-            partners.get(*k) == Some(&None) && !self.to.contains_key(**name)
-        });
+        let open_a = a
+            .iter()
+            .enumerate()
+            .filter(|(k, name)| partners.get(*k) == Some(&None) && !self.to.contains_key(**name));
         let open_b = b.iter().enumerate().filter(|(k, _)| is_taken.get(*k) == Some(&false));
         for (side, k, name) in open_a.map(|(k, n)| (0, k, n)).chain(open_b.map(|(k, n)| (1, k, n))) {
             if let Some(entry) = parts.entry(last_part(name)).or_default().get_mut(side) {
@@ -116,7 +117,7 @@ fn read(text: &str, a: &RobotModel, b: &RobotModel) -> Result<Names, ContentErro
             kind.require(other, to.span(), b)?;
             if !renamed.taken.insert(other.to_string()) {
                 let what = format!("each {} once", kind.noun);
-                let error = expected(&what, &format!("{other:?} twice"), to.span());
+                let error = expected(&what, &format!("{other} twice"), to.span());
                 return Err(error.hint("delete one of the two lines"));
             }
             renamed.to.insert(from.get_ref().to_string(), other.to_string());
@@ -139,7 +140,7 @@ impl Kind {
             return Ok(());
         }
         let file = model.path.display();
-        let error = expected(&format!("a {} of {file}", self.noun), &format!("{name:?}"), span);
+        let error = expected(&format!("a {} of {file}", self.noun), name, span);
         Err(match nearest(name, known) {
             Some(meant) => error.hint(format!("did you mean {meant:?}?")),
             None => error.hint(format!("write a name that {file} has")),

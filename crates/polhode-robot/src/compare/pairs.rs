@@ -12,6 +12,8 @@ pub(super) struct Pairs {
     pub(super) list: Vec<Pair>,
     /// Number of each pair by its groups.
     numbers: BTreeMap<(usize, usize), usize>,
+    /// For each joint of the first model the joint of the second with its name.
+    joints: Vec<Option<usize>>,
 }
 
 /// Group of the first model and group of the second that share a link, or the joint above, or the
@@ -44,11 +46,11 @@ impl Pairs {
         }
         let mut open = Open::of(a, b, &found);
         // Groups whose links were merged away are found by the joint above them.
-        let partners = names.joints.partners(&joints(a.model), &joints(b.model));
+        let namesakes = names.joints.partners(&joints(a.model), &joints(b.model));
         let above: HashMap<usize, usize> =
             b.groups.iter().enumerate().filter_map(|(k, group)| Some((group.joint?, k))).collect();
         for (k, group) in a.groups.iter().enumerate() {
-            let joint = group.joint.and_then(|joint| partners.get(joint).copied().flatten());
+            let joint = group.joint.and_then(|joint| namesakes.get(joint).copied().flatten());
             if let Some(&other) = joint.and_then(|joint| above.get(&joint))
                 && open.take(k, other)
             {
@@ -57,8 +59,11 @@ impl Pairs {
         }
         let mut waiting: Vec<(usize, usize)> = found.keys().copied().collect();
         while let Some((k, other)) = waiting.pop() {
-            let parents =
-                a.groups.get(k).and_then(|own| own.parent).zip(b.groups.get(other).and_then(|own| own.parent));
+            let parents = a
+                .groups
+                .get(k)
+                .and_then(|own| own.parent)
+                .zip(b.groups.get(other).and_then(|own| own.parent));
             if let Some((k, other)) = parents
                 && open.take(k, other)
             {
@@ -66,10 +71,10 @@ impl Pairs {
                 waiting.push((k, other));
             }
         }
-        Self::listed(found)
+        Self::listed(found, namesakes)
     }
 
-    fn listed(found: BTreeMap<(usize, usize), Vec<(usize, usize)>>) -> Self {
+    fn listed(found: BTreeMap<(usize, usize), Vec<(usize, usize)>>, joints: Vec<Option<usize>>) -> Self {
         let (mut of_a, mut of_b): (BTreeMap<usize, usize>, BTreeMap<usize, usize>) = Default::default();
         for &(a, b) in found.keys() {
             *of_a.entry(a).or_default() += 1;
@@ -78,12 +83,22 @@ impl Pairs {
         let numbers = found.keys().enumerate().map(|(k, &pair)| (pair, k)).collect();
         let is_one = |counts: &BTreeMap<usize, usize>, k: usize| counts.get(&k) == Some(&1);
         let pair = |((a, b), shared)| Pair { a, b, shared, is_whole: is_one(&of_a, a) && is_one(&of_b, b) };
-        Self { list: found.into_iter().map(pair).collect(), numbers }
+        Self { list: found.into_iter().map(pair).collect(), numbers, joints }
     }
 
     /// Returns the number of a pair.
     pub(super) fn number(&self, a: usize, b: usize) -> Option<usize> {
         self.numbers.get(&(a, b)).copied()
+    }
+
+    /// Returns the joint of the second model with the name of a joint of the first.
+    pub(super) fn namesake(&self, joint: usize) -> Option<usize> {
+        self.joints.get(joint).copied().flatten()
+    }
+
+    /// Returns true if a joint of the second model has the name of one of the first.
+    pub(super) fn is_namesake(&self, joint: usize) -> bool {
+        self.joints.contains(&Some(joint))
     }
 
     /// Returns the groups of the second model that correspond to a group of the first.

@@ -106,8 +106,7 @@ fn groups(model: &RobotModel) -> Result<Vec<Group>, LinkError> {
     let tree = Tree::of(model)?;
     require_bodies(model, None)?;
     let rigid = rigid(model, &tree)?;
-    let mut groups =
-        vec![Group { joint: None, parent: None, pose: Pose::IDENTITY, members: Vec::new() }];
+    let mut groups = vec![Group { joint: None, parent: None, pose: Pose::IDENTITY, members: Vec::new() }];
     let mut group_of = vec![WORLD; model.links.len()];
     let mut frames: Vec<Pose> = vec![Pose::IDENTITY; model.links.len()];
     // For each rigid group of the model: its number here, and the pose of its first link's frame.

@@ -4,11 +4,11 @@ use polhode_document::number::number;
 
 use super::axis::Axis;
 use super::difference::{
-    FRAME, JOINT, LINK, NAME, Sides, ZERO, angle, distance, listed, two_points,
+    FRAME, JOINT, LINK, NAME, SKIPPED, Sides, ZERO, angle, distance, listed, two_points,
 };
 use super::frames::{Aligned, Alignment, Joints};
 use super::names::last_part;
-use super::pairs::Pair;
+use super::pairs::{Pair, Pairs};
 use super::robot::{Robot, WORLD};
 use crate::finding::Finding;
 use crate::model::{Joint, JointKind, Span};
@@ -17,8 +17,19 @@ use crate::model::{Joint, JointKind, Span};
 const MOST: usize = 12;
 
 /// Returns the differences and notes of the joints above a pair.
-pub(super) fn joints(sides: &Sides<'_, '_>, pair: &Pair, alignment: &Alignment) -> Vec<Finding> {
+pub(super) fn joints(
+    sides: &Sides<'_, '_>,
+    pairs: &Pairs,
+    pair: &Pair,
+    alignment: &Alignment,
+) -> Vec<Finding> {
     let (a, b) = (sides.a.joint(pair.a), sides.b.joint(pair.b));
+    let index = |robot: &Robot<'_>, group: usize| robot.groups.get(group).and_then(|group| group.joint);
+    let (in_a, in_b) = (index(sides.a, pair.a), index(sides.b, pair.b));
+    let namesake = in_a.and_then(|joint| pairs.namesake(joint));
+    if !pair.is_whole && (namesake.is_none() || namesake != in_b) {
+        return Vec::new(); // Reported as divided groups.
+    }
     let subject = b.or(a).map_or("", |joint| joint.name.text.as_str());
     let spans = || [b, a].map(|joint| joint.map(|joint| joint.name.span.clone()));
     let difference = |message| sides.finding(JOINT, subject, spans(), message);
@@ -41,11 +52,14 @@ pub(super) fn joints(sides: &Sides<'_, '_>, pair: &Pair, alignment: &Alignment) 
             found.push(difference(format!("link {link:?} {of_b}, in {name} it {of_a}")));
         }
         Joints::Rest => {
-            let message = format!(
-                "its child has another pose than in {name}; the links below are compared in their own frames"
-            );
-            found.push(sides.finding(ZERO, subject, spans(), message));
+            found.push(difference(format!("its anchor, or its child's pose, differs from {name}")))
         }
+    }
+    if let (Some(JointKind::Other), Some(JointKind::Other)) =
+        (a.map(|joint| joint.kind), b.map(|joint| joint.kind))
+    {
+        let message = "only its anchor is compared: the joint is neither revolute nor prismatic".to_owned();
+        found.push(sides.finding(SKIPPED, subject, spans(), message));
     }
     if alignment.zero != 0.0 {
         let unit = if b.is_some_and(|joint| joint.kind == JointKind::Prismatic) { "m" } else { "rad" };
@@ -54,10 +68,18 @@ pub(super) fn joints(sides: &Sides<'_, '_>, pair: &Pair, alignment: &Alignment) 
         found.push(Finding { numbers: vec![("offset", alignment.zero)], ..note });
     }
     if let (Some(of_a), Some(of_b)) = (a, b)
+        && namesake != in_b
         && is_renamed(sides, of_a, of_b)
     {
-        let message = format!("called {:?} in {name}", of_a.name.text);
-        found.push(sides.finding(NAME, subject, spans(), message));
+        let is_crossed = namesake.is_some() || in_b.is_some_and(|joint| pairs.is_namesake(joint));
+        let (code, message) = if is_crossed {
+            (JOINT, format!("it moves the links that joint {:?} moves in {name}", of_a.name.text))
+        } else {
+            (NAME, format!("called {:?} in {name}", of_a.name.text))
+        };
+        if !(is_crossed && matches!(alignment.joints, Joints::Place)) {
+            found.push(sides.finding(code, subject, spans(), message));
+        }
     }
     found.extend(base(sides, pair));
     found
@@ -92,7 +114,11 @@ fn axis(from: &Axis, to: &Axis, name: &str) -> String {
     if turned > 3.0 * std::f64::consts::FRAC_PI_4 {
         return format!(
             "axis {of_b}, in {name} {of_a}: reversed{}",
-            if turned < 3.141_592 { format!(" and {} apart", angle(std::f64::consts::PI - turned)) } else { String::new() }
+            if turned < 3.141_592 {
+                format!(" and {} apart", angle(std::f64::consts::PI - turned))
+            } else {
+                String::new()
+            }
         );
     }
     let mut words = Vec::new();
@@ -153,7 +179,8 @@ pub(super) fn divided(sides: &Sides<'_, '_>, aligned: &Aligned<'_, '_>) -> Vec<F
         let joints = moving(robot, groups);
         let joints: Vec<&str> = joints.iter().map(String::as_str).collect();
         let by = if joints.is_empty() { String::new() } else { format!(", moved by {}", listed(&joints)) };
-        let message = format!("{} are one rigid group in {one}, but {} in {many}{by}", listed(&words), groups.len());
+        let message =
+            format!("{} are one rigid group in {one}, but {} in {many}{by}", listed(&words), groups.len());
         let subject = words.first().copied().unwrap_or("");
         let others = links.iter().skip(1).cloned().collect();
         found.push(Finding { others, ..sides.finding(LINK, subject, whole, message) });
@@ -187,7 +214,8 @@ pub(super) fn alone(sides: &Sides<'_, '_>, aligned: &Aligned<'_, '_>) -> Vec<Fin
     let pairs = &aligned.pairs.list;
     let mut found = Vec::new();
     for side in [Side::A, Side::B] {
-        let (robot, other) = if side == Side::A { (sides.a, &sides.name_b) } else { (sides.b, &sides.name_a) };
+        let (robot, other) =
+            if side == Side::A { (sides.a, &sides.name_b) } else { (sides.b, &sides.name_a) };
         let mut has_pair = vec![false; robot.groups.len()];
         let mut has_partner = vec![false; robot.model.links.len()];
         for pair in pairs {
@@ -209,7 +237,9 @@ pub(super) fn alone(sides: &Sides<'_, '_>, aligned: &Aligned<'_, '_>) -> Vec<Fin
                 match member.mass {
                     Some(mass) if is_alone => {
                         let mass = number(mass.mass, 6);
-                        let message = format!("no partner in {other}: neither its name, {mass} kg, nor the joint above it is there");
+                        let message = format!(
+                            "no partner in {other}: neither its name, {mass} kg, nor the joint above it is there"
+                        );
                         found.push(sides.finding(LINK, name, spans(link.name.span.clone()), message));
                     }
                     None if has_partner.get(member.link) == Some(&false) => {
@@ -219,7 +249,9 @@ pub(super) fn alone(sides: &Sides<'_, '_>, aligned: &Aligned<'_, '_>) -> Vec<Fin
                     _ => {}
                 }
             }
-            if let Some(joint) = robot.joint(k).filter(|_| is_alone && group.members.iter().all(|m| m.mass.is_none())) {
+            if let Some(joint) =
+                robot.joint(k).filter(|_| is_alone && group.members.iter().all(|m| m.mass.is_none()))
+            {
                 let moved = group.members.first().map_or("", |member| robot.name(member.link));
                 let message = format!("no partner in {other}; it moves {moved:?}, which has no mass");
                 found.push(sides.finding(FRAME, &joint.name.text, spans(joint.name.span.clone()), message));
@@ -229,7 +261,11 @@ pub(super) fn alone(sides: &Sides<'_, '_>, aligned: &Aligned<'_, '_>) -> Vec<Fin
             let shown: Vec<&str> = frames.iter().take(MOST).copied().collect();
             let more = frames.len().saturating_sub(shown.len());
             let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-            let words = if frames.len() == 1 { "frame without mass and without a partner" } else { "frames without mass and without a partner" };
+            let words = if frames.len() == 1 {
+                "frame without mass and without a partner"
+            } else {
+                "frames without mass and without a partner"
+            };
             let message = format!("{words} in {other}: {}{more}", shown.join(", "));
             found.push(sides.finding(FRAME, "", spans(span), message));
         }

@@ -22,8 +22,7 @@ pub(super) fn agree(both: &Both, tolerance: f64) -> bool {
 pub(super) fn own(pair: &Pair, alignment: &Alignment, a: &Robot<'_>, b: &Robot<'_>) -> Both {
     [(a, pair.a, &alignment.pose), (b, pair.b, &Pose::IDENTITY)].map(|(robot, group, pose)| {
         let members = robot.groups.get(group).into_iter().flat_map(|group| &group.members);
-        let masses: Vec<Mass> =
-            members.filter_map(Member::in_group).map(|mass| mass.placed(pose)).collect();
+        let masses: Vec<Mass> = members.filter_map(Member::in_group).map(|mass| mass.placed(pose)).collect();
         Mass::sum(&masses)
     })
 }

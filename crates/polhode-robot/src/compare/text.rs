@@ -20,11 +20,18 @@ impl Comparison {
         let longest = subjects().filter(|&width| width <= 24).max().unwrap_or(0);
         for (k, found) in findings.iter().enumerate() {
             let is_first_note = found.severity == Severity::Note
-                && k.checked_sub(1).and_then(|k| findings.get(k)).is_some_and(|other| other.severity > Severity::Note);
+                && k.checked_sub(1)
+                    .and_then(|k| findings.get(k))
+                    .is_some_and(|other| other.severity > Severity::Note);
             let gap = if k == 0 || is_first_note { "\n" } else { "" };
-            let of_b = places.as_ref().filter(|_| found.span != (0..0)).map(|places| places.place(&found.span));
-            let of_b = of_b.map(|FilePlace { file, line, column, .. }| format!("{}:{line}:{column}", file.display()));
-            let of_a = found.related.as_ref().map(|Related { file, line, column }| format!("{file}:{line}:{column}"));
+            let of_b =
+                places.as_ref().filter(|_| found.span != (0..0)).map(|places| places.place(&found.span));
+            let of_b = of_b
+                .map(|FilePlace { file, line, column, .. }| format!("{}:{line}:{column}", file.display()));
+            let of_a = found
+                .related
+                .as_ref()
+                .map(|Related { file, line, column }| format!("{file}:{line}:{column}"));
             let at: Vec<String> = of_b.into_iter().chain(of_a).map(|place| printable(&place)).collect();
             let (sign, name) = (mark(found.severity), subject(found));
             let _ = writeln!(text, "{gap}{sign} {name:longest$}   {}   [{}]", at.join("   "), found.code);

@@ -1,5 +1,6 @@
 //! Comparisons of two models: what is no difference, and each planted slip in exactly one place.
 
+mod cases;
 mod robots;
 
 use polhode_document::Report as _;
@@ -18,7 +19,8 @@ fn request(a: &str, b: &str, tolerance: &str) -> Request {
 fn compared([of_a, a]: [&str; 2], [of_b, b]: [&str; 2], tolerance: &str) -> Comparison {
     let (a_name, b_name) = (format!("a.{of_a}"), format!("b.{of_b}"));
     let files = Memory::from([(a_name.as_str(), a), (b_name.as_str(), b)]);
-    let comparison = run(&request(&a_name, &b_name, tolerance), &files).unwrap_or_else(|f| panic!("{f}\n{a}\n{b}"));
+    let comparison =
+        run(&request(&a_name, &b_name, tolerance), &files).unwrap_or_else(|f| panic!("{f}\n{a}\n{b}"));
     require_fits(REPORT_SCHEMA, &comparison.to_json());
     comparison
 }
@@ -31,7 +33,10 @@ fn between(a: (&Robot, &str), b: (&Robot, &str)) -> Comparison {
 /// Returns code and subject of each difference.
 fn codes(comparison: &Comparison) -> Vec<(&str, &str)> {
     let last = |name: &'_ str| name.rsplit('/').next().map_or(0, str::len);
-    comparison.differences().map(|found| (found.code, &found.subject[found.subject.len() - last(&found.subject)..])).collect()
+    comparison
+        .differences()
+        .map(|found| (found.code, &found.subject[found.subject.len() - last(&found.subject)..]))
+        .collect()
 }
 
 fn notes(comparison: &Comparison) -> Vec<(&str, &str)> {
@@ -72,7 +77,9 @@ fn merged_links_other_frames_and_other_zeros_are_no_difference() {
                 let comparison = between((&plain, of_a), (&moved, of_b));
                 assert_eq!(codes(&comparison), [], "{of_a} {of_b}\n{}", comparison.to_text(None));
                 let offsets = |joint: &str| {
-                    let of_joint = comparison.notes().find(|found| found.code == "compare.zero" && found.subject.ends_with(joint));
+                    let of_joint = comparison
+                        .notes()
+                        .find(|found| found.code == "compare.zero" && found.subject.ends_with(joint));
                     of_joint.map(|found| found.numbers[0].1)
                 };
                 // 0 of the first model is −q of the second, whose zero was moved by q.
@@ -97,7 +104,8 @@ fn require_one(slip: impl Fn(&mut Robot), expected: &[(&str, &str)], words: &str
                 assert_eq!(codes(&comparison), expected, "{of_a} {of_b}\n{text}");
                 assert!(comparison.has_failed());
                 assert!(comparison.notes().all(|note| note.code != "compare.zero"), "{text}");
-                let messages: Vec<&str> = comparison.differences().map(|found| found.message.as_str()).collect();
+                let messages: Vec<&str> =
+                    comparison.differences().map(|found| found.message.as_str()).collect();
                 assert!(messages.iter().any(|message| message.contains(words)), "{of_a} {of_b}\n{text}");
             }
         }
@@ -128,5 +136,9 @@ fn each_planted_slip_is_found_in_exactly_one_place() {
         &[("compare.joint", "elbow")],
         "1 mm apart",
     );
-    require_one(|r| r.part("upper").joint.as_mut().unwrap().axis = [-0.36, 0.48, -0.8], &[("compare.joint", "shoulder")], "reversed");
+    require_one(
+        |r| r.part("upper").joint.as_mut().unwrap().axis = [-0.36, 0.48, -0.8],
+        &[("compare.joint", "shoulder")],
+        "reversed",
+    );
 }

@@ -38,7 +38,7 @@ impl Frame {
         self.r.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
     }
 
-    fn point(&self, v: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn point(&self, v: [f64; 3]) -> [f64; 3] {
         let turned = self.turned(v);
         [0, 1, 2].map(|k| turned[k] + self.p[k])
     }
@@ -87,6 +87,24 @@ pub(crate) struct Solid {
     pub(crate) tensor: Matrix,
 }
 
+/// Returns the sum of bodies: I = Σ (I_k + m_k (d_k² 1 − d_k d_kᵀ)) about the common centre.
+pub(crate) fn sum(solids: &[Solid]) -> Solid {
+    let mass: f64 = solids.iter().map(|solid| solid.mass).sum();
+    let center =
+        [0, 1, 2].map(|k| solids.iter().map(|solid| solid.mass * solid.center[k]).sum::<f64>() / mass);
+    let mut tensor = [[0.0; 3]; 3];
+    for solid in solids {
+        let d = [0, 1, 2].map(|k| solid.center[k] - center[k]);
+        let square: f64 = d.iter().map(|c| c * c).sum();
+        for (i, row) in tensor.iter_mut().enumerate() {
+            for (j, element) in row.iter_mut().enumerate() {
+                *element += solid.tensor[i][j] + solid.mass * (square * ONE[i][j] - d[i] * d[j]);
+            }
+        }
+    }
+    Solid { mass, center, tensor }
+}
+
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub(crate) name: String,
@@ -105,24 +123,69 @@ pub(crate) const LANGUAGES: [&str; 4] = ["urdf", "sdf", "xml", "usda"];
 /// Returns a base with two branches: shoulder (revolute), elbow (revolute), hand (fixed); and rail
 /// (prismatic), finger (revolute).
 pub(crate) fn robot() -> Robot {
-    let part = |name: &str, parent: Option<usize>, joint: Option<(&str, &'static str, [f64; 3])>, pose, k: usize| {
-        let scale = [3.2, 1.7, 0.9, 0.31, 0.53, 0.24][k];
-        let angles = [0.4 + 0.3 * f64::from(u8::try_from(k).unwrap()), -0.7, 1.1];
-        let moments = [0.011, 0.017, 0.023].map(|i: f64| i * scale);
-        let diagonal = [[moments[0], 0.0, 0.0], [0.0, moments[1], 0.0], [0.0, 0.0, moments[2]]];
-        let tensor = turned_tensor(Frame::new([0.0; 3], angles).r, diagonal);
-        let center = [[0.03, -0.02, 0.05], [0.11, 0.04, -0.06], [0.08, -0.05, 0.03], [0.02, 0.03, -0.04], [-0.05, 0.07, 0.02], [0.01, -0.06, 0.04]][k];
-        let joint = joint.map(|(name, kind, axis)| Hinge { name: name.to_owned(), kind, axis, anchor: [0.0; 3] });
-        Part { name: name.to_owned(), parent, pose, joint, solid: Some(Solid { mass: scale, center, tensor }) }
-    };
+    let part =
+        |name: &str, parent: Option<usize>, joint: Option<(&str, &'static str, [f64; 3])>, pose, k: usize| {
+            let scale = [3.2, 1.7, 0.9, 0.31, 0.53, 0.24][k];
+            let angles = [0.4 + 0.3 * f64::from(u8::try_from(k).unwrap()), -0.7, 1.1];
+            let moments = [0.011, 0.017, 0.023].map(|i: f64| i * scale);
+            let diagonal = [[moments[0], 0.0, 0.0], [0.0, moments[1], 0.0], [0.0, 0.0, moments[2]]];
+            let tensor = turned_tensor(Frame::new([0.0; 3], angles).r, diagonal);
+            let center = [
+                [0.03, -0.02, 0.05],
+                [0.11, 0.04, -0.06],
+                [0.08, -0.05, 0.03],
+                [0.02, 0.03, -0.04],
+                [-0.05, 0.07, 0.02],
+                [0.01, -0.06, 0.04],
+            ][k];
+            let joint =
+                joint.map(|(name, kind, axis)| Hinge { name: name.to_owned(), kind, axis, anchor: [0.0; 3] });
+            Part {
+                name: name.to_owned(),
+                parent,
+                pose,
+                joint,
+                solid: Some(Solid { mass: scale, center, tensor }),
+            }
+        };
     let pose = Frame::new;
     Robot(vec![
         part("base", None, None, Frame::IDENTITY, 0),
-        part("upper", Some(0), Some(("shoulder", "revolute", [0.36, -0.48, 0.8])), pose([0.1, 0.2, 0.3], [0.3, -0.2, 0.9]), 1),
-        part("fore", Some(1), Some(("elbow", "revolute", [0.6, 0.64, -0.48])), pose([0.35, -0.1, 0.05], [-0.5, 0.4, 0.2]), 2),
-        part("hand", Some(2), Some(("wrist", "fixed", [1.0, 0.0, 0.0])), pose([0.2, 0.05, -0.07], [0.1, 0.8, -0.6]), 3),
-        part("rail", Some(0), Some(("slide", "prismatic", [-0.48, 0.6, 0.64])), pose([-0.2, 0.15, 0.1], [0.7, 0.1, -0.3]), 4),
-        part("finger", Some(4), Some(("knuckle", "revolute", [0.0, 0.8, 0.6])), pose([0.12, 0.22, -0.15], [0.2, 0.5, 0.3]), 5),
+        part(
+            "upper",
+            Some(0),
+            Some(("shoulder", "revolute", [0.36, -0.48, 0.8])),
+            pose([0.1, 0.2, 0.3], [0.3, -0.2, 0.9]),
+            1,
+        ),
+        part(
+            "fore",
+            Some(1),
+            Some(("elbow", "revolute", [0.6, 0.64, -0.48])),
+            pose([0.35, -0.1, 0.05], [-0.5, 0.4, 0.2]),
+            2,
+        ),
+        part(
+            "hand",
+            Some(2),
+            Some(("wrist", "fixed", [1.0, 0.0, 0.0])),
+            pose([0.2, 0.05, -0.07], [0.1, 0.8, -0.6]),
+            3,
+        ),
+        part(
+            "rail",
+            Some(0),
+            Some(("slide", "prismatic", [-0.48, 0.6, 0.64])),
+            pose([-0.2, 0.15, 0.1], [0.7, 0.1, -0.3]),
+            4,
+        ),
+        part(
+            "finger",
+            Some(4),
+            Some(("knuckle", "revolute", [0.0, 0.8, 0.6])),
+            pose([0.12, 0.22, -0.15], [0.2, 0.5, 0.3]),
+            5,
+        ),
     ])
 }
 
@@ -196,18 +259,7 @@ impl Robot {
         let center = hand.pose.point(of_hand.center);
         let tensor = turned_tensor(hand.pose.r, of_hand.tensor);
         let fore = robot.solid("fore");
-        let mass = fore.mass + of_hand.mass;
-        let common = [0, 1, 2].map(|k| (fore.mass * fore.center[k] + of_hand.mass * center[k]) / mass);
-        let about = |mass: f64, center: [f64; 3], tensor: Matrix| -> Matrix {
-            let d = [0, 1, 2].map(|k| center[k] - common[k]);
-            let square: f64 = d.iter().map(|c| c * c).sum();
-            std::array::from_fn(|i| {
-                std::array::from_fn(|j| tensor[i][j] + mass * (square * ONE[i][j] - d[i] * d[j]))
-            })
-        };
-        let (one, other) = (about(fore.mass, fore.center, fore.tensor), about(of_hand.mass, center, tensor));
-        let tensor = std::array::from_fn(|i| std::array::from_fn(|j| one[i][j] + other[i][j]));
-        *fore = Solid { mass, center: common, tensor };
+        *fore = sum(&[*fore, Solid { mass: of_hand.mass, center, tensor }]);
         robot
     }
 
@@ -227,7 +279,13 @@ impl Robot {
             if let Some(Solid { mass, center, tensor: t }) = &part.solid {
                 text += &format!(
                     "\n<inertial><origin xyz=\"{}\"/>\n<mass value=\"{mass:e}\"/>\n<inertia ixx=\"{:e}\"\nixy=\"{:e}\"\nixz=\"{:e}\"\niyy=\"{:e}\"\niyz=\"{:e}\"\nizz=\"{:e}\"/></inertial>",
-                    list(center), t[0][0], t[0][1], t[0][2], t[1][1], t[1][2], t[2][2]
+                    list(center),
+                    t[0][0],
+                    t[0][1],
+                    t[0][2],
+                    t[1][1],
+                    t[1][2],
+                    t[2][2]
                 );
             }
             text += "</link>\n";
@@ -236,7 +294,13 @@ impl Robot {
             text += &format!(
                 "<joint name=\"{}\" type=\"{}\"><parent link=\"{}\"/><child link=\"{}\"/>\n<origin xyz=\"{}\" rpy=\"{}\"/><axis xyz=\"{}\"/>\
                  <limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>\n",
-                joint.name, joint.kind, self.0[parent].name, part.name, list(&part.pose.p), list(&part.pose.angles()), list(&joint.axis)
+                joint.name,
+                joint.kind,
+                self.0[parent].name,
+                part.name,
+                list(&part.pose.p),
+                list(&part.pose.angles()),
+                list(&joint.axis)
             );
         }
         text + "</robot>\n"
@@ -245,22 +309,39 @@ impl Robot {
     fn sdf(&self) -> String {
         let mut text = "<sdf version=\"1.9\"><model name=\"r\">\n".to_owned();
         for part in &self.0 {
-            let relative = part.parent.map_or(String::new(), |k| format!(" relative_to=\"{}\"", self.0[k].name));
-            text += &format!("<link name=\"{}\"><pose{relative}>{} {}</pose>", part.name, list(&part.pose.p), list(&part.pose.angles()));
+            let relative =
+                part.parent.map_or(String::new(), |k| format!(" relative_to=\"{}\"", self.0[k].name));
+            text += &format!(
+                "<link name=\"{}\"><pose{relative}>{} {}</pose>",
+                part.name,
+                list(&part.pose.p),
+                list(&part.pose.angles())
+            );
             if let Some(Solid { mass, center, tensor }) = &part.solid {
                 // The inertial's frame is turned, and the tensor stated along its axes.
                 let frame = Frame::new(*center, [0.6, -0.3, 0.8]);
                 let t = turned_tensor(transposed(frame.r), *tensor);
                 text += &format!(
                     "\n<inertial><pose>{} {}</pose>\n<mass>{mass:e}</mass>\n<inertia><ixx>{:e}</ixx>\n<ixy>{:e}</ixy>\n<ixz>{:e}</ixz>\n<iyy>{:e}</iyy>\n<iyz>{:e}</iyz>\n<izz>{:e}</izz></inertia></inertial>",
-                    list(center), list(&frame.angles()), t[0][0], t[0][1], t[0][2], t[1][1], t[1][2], t[2][2]
+                    list(center),
+                    list(&frame.angles()),
+                    t[0][0],
+                    t[0][1],
+                    t[0][2],
+                    t[1][1],
+                    t[1][2],
+                    t[2][2]
                 );
             }
             text += "</link>\n";
             let (Some(joint), Some(parent)) = (&part.joint, part.parent) else { continue };
             text += &format!(
                 "<joint name=\"{}\" type=\"{}\"><pose>{} 0 0 0</pose><parent>{}</parent><child>{}</child>\n",
-                joint.name, joint.kind, list(&joint.anchor), self.0[parent].name, part.name
+                joint.name,
+                joint.kind,
+                list(&joint.anchor),
+                self.0[parent].name,
+                part.name
             );
             if joint.kind != "fixed" {
                 text += &format!("<axis><xyz>{}</xyz></axis>", list(&joint.axis));
@@ -271,22 +352,42 @@ impl Robot {
     }
 
     fn mjcf(&self) -> String {
-        "<mujoco><compiler angle=\"radian\"/><worldbody>\n".to_owned() + &self.body(0) + "</worldbody></mujoco>\n"
+        "<mujoco><compiler angle=\"radian\"/><worldbody>\n".to_owned()
+            + &self.body(0)
+            + "</worldbody></mujoco>\n"
     }
 
     fn body(&self, k: usize) -> String {
         let part = &self.0[k];
-        let mut text =
-            format!("<body name=\"{}\" pos=\"{}\" quat=\"{}\">\n", part.name, list(&part.pose.p), list(&part.pose.quaternion()));
+        let mut text = format!(
+            "<body name=\"{}\" pos=\"{}\" quat=\"{}\">\n",
+            part.name,
+            list(&part.pose.p),
+            list(&part.pose.quaternion())
+        );
         if let Some(Hinge { name, kind, axis, anchor }) = &part.joint {
-            let kind = if *kind == "revolute" { "hinge" } else if *kind == "prismatic" { "slide" } else { "" };
+            let kind = if *kind == "revolute" {
+                "hinge"
+            } else if *kind == "prismatic" {
+                "slide"
+            } else {
+                ""
+            };
             if !kind.is_empty() {
-                text += &format!("<joint name=\"{name}\" type=\"{kind}\" axis=\"{}\" pos=\"{}\"/>\n", list(axis), list(anchor));
+                text += &format!(
+                    "<joint name=\"{name}\" type=\"{kind}\" axis=\"{}\" pos=\"{}\"/>\n",
+                    list(axis),
+                    list(anchor)
+                );
             }
         }
         if let Some(Solid { mass, center, tensor: t }) = &part.solid {
             let full = [t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]];
-            text += &format!("<inertial mass=\"{mass:e}\"\n pos=\"{}\"\n fullinertia=\"{}\"/>\n", list(center), list(&full));
+            text += &format!(
+                "<inertial mass=\"{mass:e}\"\n pos=\"{}\"\n fullinertia=\"{}\"/>\n",
+                list(center),
+                list(&full)
+            );
         }
         let below = (0..self.0.len()).filter(|j| self.0[*j].parent == Some(k));
         text += &below.map(|j| self.body(j)).collect::<String>();
@@ -294,20 +395,27 @@ impl Robot {
     }
 
     fn usd(&self) -> String {
-        let mut text = "#usda 1.0\n(\n    metersPerUnit = 1\n    kilogramsPerUnit = 1\n)\ndef Xform \"robot\"\n{\n".to_owned();
+        let mut text =
+            "#usda 1.0\n(\n    metersPerUnit = 1\n    kilogramsPerUnit = 1\n)\ndef Xform \"robot\"\n{\n"
+                .to_owned();
         for k in 0..self.0.len() {
             let part = &self.0[k];
             let frame = self.in_model(k);
             text += &format!(
                 "def Xform \"{}\" (\n    prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]\n)\n{{\n    double3 xformOp:translate = ({})\n    quatd xformOp:orient = ({})\n    uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:orient\"]\n",
-                part.name, commas(&frame.p), commas(&frame.quaternion())
+                part.name,
+                commas(&frame.p),
+                commas(&frame.quaternion())
             );
             if let Some(Solid { mass, center, tensor: t }) = &part.solid {
-                let Moments { values, axes } = Moments::of(&[t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]]);
+                let Moments { values, axes } =
+                    Moments::of(&[t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]]);
                 let principal = Frame { r: transposed(axes), p: [0.0; 3] };
                 text += &format!(
                     "    float physics:mass = {mass:e}\n    point3f physics:centerOfMass = ({})\n    float3 physics:diagonalInertia = ({})\n    quatf physics:principalAxes = ({})\n",
-                    commas(center), commas(&values), commas(&principal.quaternion())
+                    commas(center),
+                    commas(&values),
+                    commas(&principal.quaternion())
                 );
             }
             text += "}\n";
@@ -322,7 +430,13 @@ impl Robot {
             let in_parent = part.pose.then(&in_child);
             text += &format!(
                 "def {kind} \"{}\"\n{{\n    uniform token physics:axis = \"Z\"\n    rel physics:body0 = </robot/{}>\n    rel physics:body1 = </robot/{}>\n    point3f physics:localPos0 = ({})\n    point3f physics:localPos1 = ({})\n    quatf physics:localRot0 = ({})\n    quatf physics:localRot1 = ({})\n}}\n",
-                joint.name, self.0[parent].name, part.name, commas(&in_parent.p), commas(&in_child.p), commas(&in_parent.quaternion()), commas(&in_child.quaternion())
+                joint.name,
+                self.0[parent].name,
+                part.name,
+                commas(&in_parent.p),
+                commas(&in_child.p),
+                commas(&in_parent.quaternion()),
+                commas(&in_child.quaternion())
             );
         }
         text + "}\n"

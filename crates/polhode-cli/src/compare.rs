@@ -20,9 +20,8 @@ use crate::stdout::print;
 ///
 /// The mass, the centre of mass and the inertia tensor of each link, and the type and the axis of
 /// each joint. Links merged by fixed joints, other link frames, other joint zeros and another place
-/// of the base are no difference. Links and joints correspond by name, or by --map. Numbers are
-/// compared as written, whether physical or not. Limits, couplings, geometry and controllers are
-/// not compared.
+/// of the base do not count. Links and joints correspond by name, or by --map. Numbers are compared
+/// as written, whether physical or not. Limits, couplings and geometry are not compared.
 ///
 /// Exit status: 0 no difference, 1 at least one, 2 a file cannot be read.
 #[derive(Debug, Args)]
@@ -36,10 +35,10 @@ Examples:
 pub(crate) struct Compare {
     #[command(flatten)]
     request: Request,
-    /// Output format.
+    /// Output format of the differences and notes.
     #[arg(long, value_enum, value_name = "FORM", conflicts_with = "json")]
     format: Option<Format>,
-    /// Print JSON.
+    /// Print JSON, as with --format json.
     #[arg(long)]
     json: bool,
     /// Write the results to FILE, completely or not at all, and print nothing.

@@ -2,8 +2,8 @@
 //!
 //! Each model is divided into rigid groups, links joined by fixed joints. Groups correspond by the
 //! names of their links, or of the joint above. The pose of a group of the first model in its
-//! partner follows from the joints ([`frames`]), so other link frames, other joint zeros, and links
-//! merged by fixed joints are no difference. Numbers are compared as the files state them, whether
+//! partner follows from the joints (`frames.rs`), so other link frames, other joint zeros, and links
+//! merged by fixed joints do not count. Numbers are compared as the files state them, whether
 //! physical or not.
 
 mod axis;

@@ -10,7 +10,7 @@ const OBLIQUE: f64 = 1e-3;
 /// Axis of a joint that rotates or slides.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Axis {
-    /// Unit vector.
+    /// Unit vector along the axis.
     pub(super) direction: [f64; 3],
     /// Point on the axis, m. It has no meaning for a sliding joint.
     pub(super) point: [f64; 3],

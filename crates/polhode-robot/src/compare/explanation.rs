@@ -9,7 +9,7 @@ use crate::check::order::Order;
 use crate::check::unit::UNITS;
 use crate::moments::{Elements, difference, norm, parallel_axes, scaled, trace};
 
-/// Pound, kg.
+/// Value of the avoirdupois pound, kg.
 const POUND: f64 = 0.453_592_37;
 /// Names of coordinates and of products.
 const COORDINATES: [&str; 3] = ["x", "y", "z"];

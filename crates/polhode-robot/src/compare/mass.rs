@@ -11,7 +11,7 @@ use crate::placement::Placement;
 /// Mass properties of a link or of several links.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Mass {
-    /// Mass, kg.
+    /// Mass, kg; NaN if it cannot be read.
     pub(super) mass: f64,
     /// Centre of mass, m.
     pub(super) center: [f64; 3],

@@ -12,7 +12,7 @@ pub(super) struct Pairs {
     pub(super) list: Vec<Pair>,
     /// Number of each pair by its groups.
     numbers: BTreeMap<(usize, usize), usize>,
-    /// For each joint of the first model the joint of the second with its name.
+    /// Joint of the second model with the name of each joint of the first.
     joints: Vec<Option<usize>>,
 }
 

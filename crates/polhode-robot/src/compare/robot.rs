@@ -186,7 +186,7 @@ fn pose(place: Place) -> Pose {
 fn size(groups: &[Group]) -> f64 {
     let mut reaches: Vec<f64> = Vec::with_capacity(groups.len());
     let (mut size, mut gyration) = (0.0, 0.0);
-    // Where a base stands in the world does not matter.
+    // The place of a base in the world does not count.
     let origin = |k: usize| groups.get(k).and_then(|group| group.members.first()).map(|m| m.pose.position);
     for (k, group) in groups.iter().enumerate() {
         let reach = group.parent.map_or(0.0, |parent| {

@@ -1,4 +1,4 @@
-//! Comparisons of two models: what is no difference, and each planted slip in exactly one place.
+//! Comparisons of two models: equal robots, and each planted slip in exactly one place.
 
 mod cases;
 mod robots;

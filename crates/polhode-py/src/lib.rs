@@ -15,6 +15,8 @@ mod brep;
 mod budget;
 #[cfg(feature = "robot")]
 mod check;
+#[cfg(feature = "robot")]
+mod compare;
 mod command;
 mod derivatives;
 mod ensemble;
@@ -70,6 +72,9 @@ mod _native {
     #[cfg(feature = "robot")]
     #[pymodule_export]
     use crate::check::check_file;
+    #[cfg(feature = "robot")]
+    #[pymodule_export]
+    use crate::compare::compare_files;
     #[pymodule_export]
     use crate::command::run_command;
     #[pymodule_export]

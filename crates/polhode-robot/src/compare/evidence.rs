@@ -10,12 +10,15 @@ use crate::model::{Pose, Role};
 /// Upper bound on the coordinates that are tried for one joint.
 const MOST: usize = 8;
 
+/// Points in the frame of a group, m.
+type Points = Vec<[f64; 3]>;
+
 /// Facts about two groups, each in its group's frame: of the first model, then of the second.
 #[derive(Debug, Default)]
 pub(super) struct Evidence {
     axes: Vec<(Axis, Axis)>,
     /// Origins of the shapes of a link.
-    shapes: Vec<(Vec<[f64; 3]>, Vec<[f64; 3]>)>,
+    shapes: Vec<(Points, Points)>,
     masses: Vec<(Mass, Mass)>,
 }
 
@@ -47,7 +50,7 @@ impl Evidence {
         let axes = self.axes.iter().filter(|(a, b)| a.placed(pose).agrees(b, tolerance, size)).count();
         let is_near =
             |a: &[f64; 3], b: &[f64; 3]| within(length(vector(pose.placed(*a), *b)), tolerance * size);
-        let is_placed = |(a, b): &&(Vec<_>, Vec<_>)| a.iter().zip(b).all(|(a, b)| is_near(a, b));
+        let is_placed = |(a, b): &&(Points, Points)| a.iter().zip(b).all(|(a, b)| is_near(a, b));
         let shapes = self.shapes.iter().filter(is_placed).count();
         let of_mass = |(a, b): &(Mass, Mass)| {
             let [_, _, tensor] = a.placed(pose).agrees(b, tolerance);
@@ -76,7 +79,7 @@ fn whole(robot: &Robot<'_>, group: usize) -> Option<Mass> {
 }
 
 /// Returns the origins of a link's shapes of a role, in the group's frame.
-fn shapes(robot: &Robot<'_>, member: &Member, role: Role) -> Vec<[f64; 3]> {
+fn shapes(robot: &Robot<'_>, member: &Member, role: Role) -> Points {
     let shapes = robot.link(member).into_iter().flat_map(|link| &link.geometry);
     let of_role = shapes.filter(|shape| shape.role == role && shape.pose.unreadable.is_empty());
     of_role.map(|shape| member.pose.placed(shape.pose.position)).collect()

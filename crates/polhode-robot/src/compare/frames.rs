@@ -95,7 +95,7 @@ impl Aligned<'_, '_> {
                 Alignment { pose: self.best(candidates, evidence), zero: 0.0, joints: Joints::Kind }
             }
             Some((from, to)) if from.agrees(&to, self.tolerance, self.size) => {
-                self.with_zero(kinematic, &to, &own, evidence)
+                self.with_zero(&kinematic, &to, &own, evidence)
             }
             Some((from, to)) => {
                 let turned = from.onto(&to).then(&kinematic);
@@ -119,15 +119,15 @@ impl Aligned<'_, '_> {
 
     /// Returns the alignment of groups whose joints have the same axis, in the frame of the second
     /// model's group.
-    fn with_zero(&self, pose: Pose, axis: &Axis, own: &[Pose], evidence: &Evidence) -> Alignment {
+    fn with_zero(&self, pose: &Pose, axis: &Axis, own: &[Pose], evidence: &Evidence) -> Alignment {
         let votes = |pose: &Pose| evidence.votes(pose, self.tolerance, self.size);
         let unit = if axis.slides { self.size } else { 1.0 };
-        let mut best = (votes(&pose), 0.0, pose.clone());
-        for way in evidence.coordinates(axis, &pose) {
+        let mut best = (votes(pose), 0.0, pose.clone());
+        for way in evidence.coordinates(axis, pose) {
             if within(way.abs(), self.tolerance * unit) {
                 continue;
             }
-            let moved = self.snapped(axis.motion(way).then(&pose), own);
+            let moved = self.snapped(axis.motion(way).then(pose), own);
             let count = votes(&moved);
             if count > best.0 {
                 best = (count, -way, moved);

@@ -57,7 +57,7 @@ impl Compared<'_> {
         let message = format!("mass {of_b} kg, in {} {of_a} kg", sides.name_a);
         let message = unreadable.unwrap_or(message);
         let spans = self.spans(|inertial| inertial.mass.span());
-        let found = self.finding(sides, MASS, spans, message, ratio, explanation);
+        let found = self.finding(sides, MASS, spans, &message, ratio, explanation);
         Finding { numbers: vec![("a", a), ("b", b)], ..found }
     }
 
@@ -70,7 +70,7 @@ impl Compared<'_> {
         let message = format!("centre of mass {of_b} m, in {} {of_a} m", sides.name_a);
         let message = unreadable.unwrap_or(message);
         let spans = self.spans(|inertial| inertial.pose.span.clone().unwrap_or(inertial.span.clone()));
-        let found = self.finding(sides, CENTER, spans, message, words, slips.of_center(a, b));
+        let found = self.finding(sides, CENTER, spans, &message, words, slips.of_center(a, b));
         Finding { numbers: vec![("distance", apart)], ..found }
     }
 
@@ -106,7 +106,7 @@ impl Compared<'_> {
         let explanation = slips.of_tensor(&a, &b, [center(&self.a), center(&self.b)]);
         let first = differ.first().copied();
         let spans = self.spans(|inertial| tensor_span(inertial, first));
-        let found = self.finding(sides, TENSOR, spans, message, words, explanation);
+        let found = self.finding(sides, TENSOR, spans, &message, words, explanation);
         Finding { numbers: vec![("relative", relative)], ..found }
     }
 
@@ -128,7 +128,7 @@ impl Compared<'_> {
         sides: &Sides<'_, '_>,
         code: &'static str,
         spans: [Option<Span>; 2],
-        message: String,
+        message: &str,
         words: Option<String>,
         explanation: Option<String>,
     ) -> Finding {

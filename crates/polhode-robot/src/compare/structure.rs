@@ -52,7 +52,7 @@ pub(super) fn joints(
             found.push(difference(format!("link {link:?} {of_b}, in {name} it {of_a}")));
         }
         Joints::Rest => {
-            found.push(difference(format!("its anchor, or its child's pose, differs from {name}")))
+            found.push(difference(format!("its anchor, or its child's pose, differs from {name}")));
         }
     }
     if let (Some(JointKind::Other), Some(JointKind::Other)) =
@@ -111,15 +111,10 @@ fn base(sides: &Sides<'_, '_>, pair: &Pair) -> Option<Finding> {
 fn axis(from: &Axis, to: &Axis, name: &str) -> String {
     let (turned, away) = from.apart(to);
     let [of_a, of_b] = two_points(from.direction, to.direction);
-    if turned > 3.0 * std::f64::consts::FRAC_PI_4 {
-        return format!(
-            "axis {of_b}, in {name} {of_a}: reversed{}",
-            if turned < 3.141_592 {
-                format!(" and {} apart", angle(std::f64::consts::PI - turned))
-            } else {
-                String::new()
-            }
-        );
+    let from_reverse = std::f64::consts::PI - turned;
+    if from_reverse < std::f64::consts::FRAC_PI_4 {
+        let also = if from_reverse > 1e-6 { format!(" and {} apart", angle(from_reverse)) } else { String::new() };
+        return format!("axis {of_b}, in {name} {of_a}: reversed{also}");
     }
     let mut words = Vec::new();
     if turned > 1e-12 {

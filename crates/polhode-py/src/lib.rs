@@ -15,9 +15,9 @@ mod brep;
 mod budget;
 #[cfg(feature = "robot")]
 mod check;
+mod command;
 #[cfg(feature = "robot")]
 mod compare;
-mod command;
 mod derivatives;
 mod ensemble;
 mod error;
@@ -72,11 +72,11 @@ mod _native {
     #[cfg(feature = "robot")]
     #[pymodule_export]
     use crate::check::check_file;
+    #[pymodule_export]
+    use crate::command::run_command;
     #[cfg(feature = "robot")]
     #[pymodule_export]
     use crate::compare::compare_files;
-    #[pymodule_export]
-    use crate::command::run_command;
     #[pymodule_export]
     use crate::derivatives::carried_covariance;
     #[pymodule_export]

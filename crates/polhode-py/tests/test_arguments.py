@@ -73,7 +73,7 @@ NEVER: list[Any] = [
 ]
 
 #: Arguments that take such a thing all the same: folders and torques may come from a generator, and a class is a function.
-TAKEN = {("check", "roots"), ("Ensemble", "torques"), ("Ensemble", "wheels"), ("Ensemble", "events"), ("Ensemble", "orbit"), ("Ensemble.from_scenarios", "scenarios")}
+TAKEN = {("check", "roots"), ("compare", "roots"), ("Ensemble", "torques"), ("Ensemble", "wheels"), ("Ensemble", "events"), ("Ensemble", "orbit"), ("Ensemble.from_scenarios", "scenarios")}
 
 
 def functions() -> dict[Callable[..., object], dict[str, Any]]:

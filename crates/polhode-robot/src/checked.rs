@@ -71,7 +71,7 @@ pub enum Format {
     Gitlab,
     /// Markdown table for a summary or a comment.
     Markdown,
-    /// Self-contained page, as with --html.
+    /// Self-contained HTML page.
     Html,
     /// Table with one line per link.
     #[cfg_attr(feature = "arguments", value(skip))]

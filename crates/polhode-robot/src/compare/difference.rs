@@ -52,17 +52,21 @@ impl Sides<'_, '_> {
 
 /// Formats two numbers with enough digits that different numbers differ.
 pub(super) fn two(a: f64, b: f64) -> [String; 2] {
-    let with = |digits: usize| [number(a, digits), number(b, digits)];
-    let differ = |[a, b]: &[String; 2]| a != b;
-    [6, 9, 12].into_iter().map(with).find(differ).unwrap_or_else(|| with(17))
+    two_lists(&[a], &[b], "")
 }
 
 /// Formats two points with enough digits that they differ.
 pub(super) fn two_points(a: [f64; 3], b: [f64; 3]) -> [String; 2] {
-    let point = |p: [f64; 3], digits: usize| format!("({})", p.map(|c| number(c, digits)).join(", "));
-    let with = |digits: usize| [point(a, digits), point(b, digits)];
-    let differ = |[a, b]: &[String; 2]| a != b;
-    [6, 9, 12].into_iter().map(with).find(differ).unwrap_or_else(|| with(17))
+    two_lists(&a, &b, ", ").map(|list| format!("({list})"))
+}
+
+/// Formats two lists with enough digits that different lists differ.
+pub(super) fn two_lists(a: &[f64], b: &[f64], separator: &str) -> [String; 2] {
+    let list = |numbers: &[f64], digits: usize| {
+        numbers.iter().map(|x| number(*x, digits)).collect::<Vec<_>>().join(separator)
+    };
+    let with = |digits: usize| [list(a, digits), list(b, digits)];
+    [6, 9, 12].into_iter().map(with).find(|[a, b]| a != b).unwrap_or_else(|| with(17))
 }
 
 /// Formats a length: m, mm or µm.

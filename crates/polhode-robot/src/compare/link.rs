@@ -2,7 +2,7 @@
 
 use polhode_document::number::number;
 
-use super::difference::{CENTER, MASS, Sides, TENSOR, distance, two, two_points};
+use super::difference::{CENTER, MASS, Sides, TENSOR, distance, two, two_lists, two_points};
 use super::explanation::Slips;
 use super::mass::{Mass, length, vector};
 use crate::finding::Finding;
@@ -43,8 +43,8 @@ impl Compared<'_> {
     fn unreadable(&self, sides: &Sides<'_, '_>, index: usize, what: &str) -> Option<String> {
         match [&self.a, &self.b].map(|body| body.readable()[index]) {
             [true, true] => None,
-            [true, false] => Some(format!("{what} that cannot be read, unlike that in {}", sides.name_a)),
-            _ => Some(format!("{what}, which cannot be read in {}", sides.name_a)),
+            [true, false] => Some(format!("the {what} cannot be read, unlike that in {}", sides.name_a)),
+            _ => Some(format!("the {what} cannot be read in {}", sides.name_a)),
         }
     }
 
@@ -53,7 +53,7 @@ impl Compared<'_> {
         let [of_a, of_b] = two(a, b);
         let explanation = slips.of_mass(a, b);
         let ratio = ratio(b / a).filter(|_| explanation.is_none());
-        let unreadable = self.unreadable(sides, 0, "a mass");
+        let unreadable = self.unreadable(sides, 0, "mass");
         let message = format!("mass {of_b} kg, in {} {of_a} kg", sides.name_a);
         let message = unreadable.unwrap_or(message);
         let spans = self.spans(|inertial| inertial.mass.span());
@@ -65,7 +65,7 @@ impl Compared<'_> {
         let (a, b) = (self.a.center, self.b.center);
         let apart = length(vector(a, b));
         let [of_a, of_b] = two_points(a, b);
-        let unreadable = self.unreadable(sides, 1, "a centre of mass");
+        let unreadable = self.unreadable(sides, 1, "centre of mass");
         let words = unreadable.is_none().then(|| format!("{} apart", distance(apart)));
         let message = format!("centre of mass {of_b} m, in {} {of_a} m", sides.name_a);
         let message = unreadable.unwrap_or(message);
@@ -93,17 +93,23 @@ impl Compared<'_> {
         let message = match differ.as_slice() {
             few @ ([_] | [_, _]) => few.iter().map(shown).collect::<Vec<_>>().join("; "),
             _ => {
-                let [of_a, of_b] = [&a, &b].map(|tensor| tensor.map(|x| number(x, 6)).join(" "));
+                let [of_a, of_b] = two_lists(&a, &b, " ");
                 format!("ixx iyy izz ixy ixz iyz = {of_b} kg·m², in {} {of_a} kg·m²", sides.name_a)
             }
         };
         let relative = norm(&change) / size;
-        let unreadable = self.unreadable(sides, 2, "a tensor");
-        let words =
-            unreadable.is_none().then(|| format!("the tensor differs by {} (relative)", number(relative, 3)));
+        let unreadable = self.unreadable(sides, 2, "tensor");
+        let is_readable = unreadable.is_none();
         let message = unreadable.unwrap_or(message);
         let center = |body: &Mass| (body.mass, frame.turned(body.center));
         let explanation = slips.of_tensor(&a, &b, [center(&self.a), center(&self.b)]);
+        let relative_words = || format!("the tensor differs by {} (relative)", number(relative, 3));
+        let of_one = match differ.as_slice() {
+            [k] => ratio(b[*k] / a[*k]),
+            _ => None,
+        };
+        let is_plain = is_readable && explanation.is_none();
+        let words = is_plain.then(|| of_one.unwrap_or_else(relative_words));
         let first = differ.first().copied();
         let spans = self.spans(|inertial| tensor_span(inertial, first));
         let found = self.finding(sides, TENSOR, spans, &message, words, explanation);

@@ -113,7 +113,8 @@ fn axis(from: &Axis, to: &Axis, name: &str) -> String {
     let [of_a, of_b] = two_points(from.direction, to.direction);
     let from_reverse = std::f64::consts::PI - turned;
     if from_reverse < std::f64::consts::FRAC_PI_4 {
-        let also = if from_reverse > 1e-6 { format!(" and {} apart", angle(from_reverse)) } else { String::new() };
+        let also =
+            if from_reverse > 1e-6 { format!(" and {} apart", angle(from_reverse)) } else { String::new() };
         return format!("axis {of_b}, in {name} {of_a}: reversed{also}");
     }
     let mut words = Vec::new();
@@ -233,7 +234,7 @@ pub(super) fn alone(sides: &Sides<'_, '_>, aligned: &Aligned<'_, '_>) -> Vec<Fin
                     Some(mass) if is_alone => {
                         let mass = number(mass.mass, 6);
                         let message = format!(
-                            "no partner in {other}: neither its name, {mass} kg, nor the joint above it is there"
+                            "{mass} kg without a partner in {other}: neither the link nor the joint above it is there"
                         );
                         found.push(sides.finding(LINK, name, spans(link.name.span.clone()), message));
                     }

@@ -281,7 +281,7 @@ fn a_fixed_model_differs_where_it_was_fixed() {
     );
     // The mass "1,2" became "1.2".
     assert!(
-        messages(&comparison).contains(&"a mass, which cannot be read in a.urdf"),
+        messages(&comparison).contains(&"the mass cannot be read in a.urdf"),
         "{:?}",
         messages(&comparison)
     );

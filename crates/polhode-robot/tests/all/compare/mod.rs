@@ -122,9 +122,9 @@ fn each_planted_slip_is_found_in_exactly_one_place() {
             (t[0][1], t[1][0]) = (-t[0][1], -t[1][0]);
         },
         &[("compare.tensor", "finger")],
-        "(relative)",
+        " kg·m², in a.",
     );
-    require_one(|r| r.solid("hand").tensor[2][2] *= 1.02, &[("compare.tensor", "hand")], "(relative)");
+    require_one(|r| r.solid("hand").tensor[2][2] *= 1.02, &[("compare.tensor", "hand")], " kg·m², in a.");
     // The axis moves with the links below it; across it, by 1 mm.
     require_one(
         |r| {

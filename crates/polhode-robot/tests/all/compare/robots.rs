@@ -263,6 +263,25 @@ impl Robot {
         robot
     }
 
+    /// Returns the robot with this many digits in axes, anchors, masses, centres and tensors, and in the
+    /// angles of poses.
+    pub(crate) fn rounded(&self, digits: usize) -> Self {
+        let round = |x: f64| format!("{x:.*e}", digits - 1).parse::<f64>().unwrap();
+        let mut robot = self.clone();
+        for part in &mut robot.0 {
+            part.pose = Frame::new(part.pose.p.map(round), part.pose.angles().map(round));
+            if let Some(joint) = &mut part.joint {
+                (joint.axis, joint.anchor) = (joint.axis.map(round), joint.anchor.map(round));
+            }
+            if let Some(solid) = &mut part.solid {
+                let Solid { mass, center, tensor } = solid;
+                (*mass, *center) = (round(*mass), center.map(round));
+                *tensor = tensor.map(|row| row.map(round));
+            }
+        }
+        robot
+    }
+
     pub(crate) fn written(&self, language: &str) -> String {
         match language {
             "urdf" => self.urdf(),

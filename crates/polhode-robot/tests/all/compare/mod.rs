@@ -1,6 +1,7 @@
 //! Comparisons of two models: equal robots, and each planted slip in exactly one place.
 
 mod cases;
+mod dynamics;
 mod robots;
 
 use polhode_document::Report as _;

@@ -164,10 +164,12 @@ fn as_sum(
             Ok(found)
         }
         [a, b] => {
-            let mass = |sum: Option<Mass>| sum.map_or(0.0, |sum| sum.mass);
-            let (a, b) = (mass(a), mass(b));
-            let message =
-                format!("mass {} kg, in {} {} kg (sum of {words})", number(b, 6), sides.name_a, number(a, 6));
+            let words = |sum: Option<Mass>, links: &[&str]| match sum {
+                Some(sum) => format!("mass {} kg (sum of {})", number(sum.mass, 6), listed(links)),
+                None => "no mass".to_owned(),
+            };
+            let message = format!("{}, in {} {}", words(b, &of_b), sides.name_a, words(a, &of_a));
+            let [a, b] = [a, b].map(|sum| sum.map_or(0.0, |sum| sum.mass));
             let found = sides.finding(MASS, subject, spans, message);
             Ok(vec![Finding { others, numbers: vec![("a", a), ("b", b)], ..found }])
         }

@@ -218,6 +218,13 @@ fn a_base_stands_anywhere_and_hangs_at_the_world_or_not() {
         <joint name="x" type="prismatic"><parent link="world"/><child link="cart"/><origin xyz="0.3 0 1"/><axis xyz="0.6 0.8 0"/></joint></robot>"#;
     let comparison = compared(["xml", cart], ["urdf", urdf], "1e-12");
     assert_eq!(codes(&comparison), [], "{}", comparison.to_text(None));
+    // The rail has mass in the URDF, which a fused base loses.
+    let rail = urdf.replace(
+        "<link name=\"world\"/>",
+        "<link name=\"world\"><inertial><mass value=\"3\"/><inertia ixx=\"0.2\" iyy=\"0.3\" izz=\"0.4\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>",
+    );
+    let comparison = compared(["urdf", &rail], ["xml", cart], "1e-12");
+    assert_eq!(messages(&comparison), ["no mass, in a.urdf mass 3 kg (sum of \"world\")"]);
     let turned = cart.replace("0.6 0.8 0", "0.8 0.6 0");
     assert_eq!(codes(&compared(["xml", &turned], ["urdf", urdf], "1e-12")), [("compare.joint", "x")]);
 }

@@ -10,7 +10,7 @@ use polhode_source::Failure;
 use polhode_source::files::Memory;
 use serde_json::json;
 
-use super::robots::{Part, Robot, Solid, robot, sum};
+use super::robots::{Frame, Part, Robot, Solid, robot, sum};
 use super::{between, codes, compared, notes};
 use crate::common::schema::require_fits;
 
@@ -462,5 +462,45 @@ fn rounded_numbers_agree_within_their_digits() {
         }
         let same = compared([a, &rounded(&robot(), a)], [b, &rounded(&robot(), b)], "1e-5");
         assert_eq!(codes(&same), [], "{a} {b}\n{}", same.to_text(None));
+    }
+}
+
+#[test]
+fn the_tolerance_is_a_sharp_limit_of_each_quantity() {
+    let is_equal = |slip: &dyn Fn(&mut Robot)| {
+        let mut slipped = robot();
+        slip(&mut slipped);
+        compared(["urdf", &robot().written("urdf")], ["urdf", &slipped.written("urdf")], "1e-4").is_equal()
+    };
+    let fore = *robot().solid("fore");
+    let distance = fore.center.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let gyration = ((0..3).map(|k| fore.tensor[k][k]).sum::<f64>() / (2.0 * fore.mass)).sqrt();
+    let norm = fore.tensor.iter().flatten().map(|x| x * x).sum::<f64>().sqrt();
+    let reach = distance.max(gyration);
+    for (part, is_within) in [(0.99e-4, true), (1.01e-4, false)] {
+        assert_eq!(is_equal(&|r| r.solid("fore").mass /= 1.0 - part), is_within);
+        let shift = |of: f64| move |r: &mut Robot| r.solid("fore").center[2] += part * of;
+        assert_eq!(is_equal(&shift(reach)), is_within, "{distance} {gyration}");
+        let tensor = |r: &mut Robot| {
+            for (i, j) in [(0, 2), (2, 0)] {
+                r.solid("fore").tensor[i][j] += part * norm / 2f64.sqrt();
+            }
+        };
+        assert_eq!(is_equal(&tensor), is_within);
+        // A turn of the axis about a perpendicular line.
+        let turned = |r: &mut Robot| {
+            let joint = r.part("fore").joint.as_mut().unwrap();
+            let across = [0.64, -0.6, 0.0].map(|c: f64| c / 0.64_f64.hypot(0.6));
+            joint.axis = [0, 1, 2].map(|k| part.cos() * joint.axis[k] + part.sin() * across[k]);
+        };
+        assert_eq!(is_equal(&turned), is_within);
+    }
+    // The farthest point of the robot, along its links, is between 0.7 m and 1.2 m away.
+    for (shift, is_within) in [(0.7e-4, true), (1.2e-4, false)] {
+        let across = [0.64, -0.6, 0.0].map(|c: f64| shift * c / 0.64_f64.hypot(0.6));
+        let moved = |r: &mut Robot| {
+            r.part("fore").pose = r.part("fore").pose.then(&Frame { p: across, ..Frame::IDENTITY })
+        };
+        assert_eq!(is_equal(&moved), is_within);
     }
 }

@@ -9,6 +9,8 @@ use clap::{CommandFactory as _, Parser, Subcommand};
 use crate::budget::BudgetCommand;
 #[cfg(feature = "robot")]
 use crate::check::Check;
+#[cfg(feature = "robot")]
+use crate::compare::Compare;
 use crate::exercise::Exercise;
 use crate::explain::Explain;
 use crate::failure::Failure;
@@ -33,7 +35,7 @@ use crate::torque::Torque;
 
 /// Rigid-body dynamics: from mass to motion.
 ///
-/// Exit status: 0 success; 1 check or judge has findings; 2 invalid input or usage; 3 the
+/// Exit status: 0 success; 1 check, compare or judge has findings; 2 invalid input or usage; 3 the
 /// computation did not reach its tolerance. With several files, the worst status counts, in the
 /// order 2, 3, 1. Results go to standard output, messages to standard error.
 #[derive(Debug, Parser)]
@@ -68,6 +70,8 @@ pub(crate) enum Command {
     Inertia(Box<Inertia>),
     #[cfg(feature = "robot")]
     Check(Check),
+    #[cfg(feature = "robot")]
+    Compare(Compare),
     Simulate(Simulate),
     Spin(Box<Spin>),
     Stability(Stability),
@@ -98,6 +102,8 @@ impl Command {
             Self::Inertia(command) => command.run(),
             #[cfg(feature = "robot")]
             Self::Check(command) => command.run(),
+            #[cfg(feature = "robot")]
+            Self::Compare(command) => command.run(),
             Self::Simulate(command) => command.run(),
             Self::Spin(command) => command.run(),
             Self::Stability(command) => command.run(),

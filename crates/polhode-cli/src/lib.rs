@@ -13,6 +13,8 @@ mod browser;
 mod budget;
 #[cfg(feature = "robot")]
 mod check;
+#[cfg(feature = "robot")]
+mod compare;
 mod exercise;
 mod explain;
 mod failure;

@@ -48,6 +48,9 @@ enum Name {
     /// Report of `polhode check --json`.
     #[cfg(feature = "robot")]
     Check,
+    /// Report of `polhode compare --json`.
+    #[cfg(feature = "robot")]
+    Compare,
     /// Report of `polhode sweep --json`.
     #[cfg(feature = "sweep")]
     Sweep,
@@ -82,6 +85,8 @@ impl Schema {
             Name::Exercise => [exercise::REPORT_SCHEMA, exercise::REQUEST_SCHEMA],
             #[cfg(feature = "robot")]
             Name::Check => [polhode_robot::REPORT_SCHEMA, polhode_robot::REQUEST_SCHEMA],
+            #[cfg(feature = "robot")]
+            Name::Compare => [polhode_robot::compare::REPORT_SCHEMA, polhode_robot::compare::REQUEST_SCHEMA],
             #[cfg(feature = "sweep")]
             Name::Sweep => [polhode_sweep::REPORT_SCHEMA, polhode_sweep::REQUEST_SCHEMA],
             #[cfg(feature = "judge")]

@@ -16,6 +16,8 @@ mod budget;
 #[cfg(feature = "robot")]
 mod check;
 mod command;
+#[cfg(feature = "robot")]
+mod compare;
 mod derivatives;
 mod ensemble;
 mod error;
@@ -72,6 +74,9 @@ mod _native {
     use crate::check::check_file;
     #[pymodule_export]
     use crate::command::run_command;
+    #[cfg(feature = "robot")]
+    #[pymodule_export]
+    use crate::compare::compare_files;
     #[pymodule_export]
     use crate::derivatives::carried_covariance;
     #[pymodule_export]

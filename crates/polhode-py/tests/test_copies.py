@@ -177,6 +177,8 @@ def everything(tmp_path: Path) -> list[object]:
     plan = polhode.batch.Plan(PLAN.format(members=40))
     states = failed_states()
     checked = report(tmp_path)
+    compared = polhode.compare(EXAMPLES / "robots" / "arm.urdf", EXAMPLES / "robots" / "gripper.urdf")
+    assert compared.differences and compared.notes
     omega = np.random.default_rng(5).normal(size=(4, 3))
     attitude = np.random.default_rng(6).normal(size=(4, 4))
     free = polhode.FreeMotion(inertia=made[0], omega=[0.3, -0.5, 0.9], attitude=TURN)
@@ -200,6 +202,8 @@ def everything(tmp_path: Path) -> list[object]:
     listed = polhode.budget(columns, plan={"limit": [{"of": "mass", "most": "5 kg"}]}, draws=50)
     return [
         *made,
+        compared,
+        compared[0],
         *moved,
         joined,
         joined.derivatives(about={"mesh": [0.1, 0.2, 0.3]}),

@@ -107,7 +107,7 @@ fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<LinkMass, Lin
 
 /// Returns the moments, the products (elements of the tensor), and the rounding error of the
 /// digits, kg·m².
-fn elements(format: ModelFormat, tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
+pub(crate) fn elements(format: ModelFormat, tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
     match tensor {
         Tensor::Missing(span) => Err(LinkError::of_number("it has no inertia tensor", span)),
         Tensor::Diagonal(slots) => {

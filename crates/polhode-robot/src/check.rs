@@ -39,7 +39,7 @@ mod link_geometry;
 mod mass;
 mod material;
 mod numbers;
-mod order;
+pub(crate) mod order;
 mod origin;
 mod pair;
 mod placeholder;
@@ -52,7 +52,7 @@ mod sign;
 mod tree;
 mod tree_order;
 mod twin;
-mod unit;
+pub(crate) mod unit;
 mod written;
 
 use crate::finding::{Finding, Repair, Severity};

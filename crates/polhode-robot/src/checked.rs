@@ -24,6 +24,8 @@ pub struct Checked {
     pub excluded: usize,
     /// Lowest severity that fails.
     pub fail_on: Severity,
+    /// Command in the reports: `polhode check`.
+    pub(crate) command: &'static str,
     /// True if the request named exactly one file and no folder.
     pub(crate) is_one: bool,
 }
@@ -69,7 +71,7 @@ pub enum Format {
     Gitlab,
     /// Markdown table for a summary or a comment.
     Markdown,
-    /// Self-contained page, as with --html.
+    /// Self-contained HTML page.
     Html,
     /// Table with one line per link.
     #[cfg_attr(feature = "arguments", value(skip))]

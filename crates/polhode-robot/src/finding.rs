@@ -66,6 +66,19 @@ pub struct Finding {
     pub numbers: Vec<(&'static str, f64)>,
     /// Repair, if exactly one is consistent with all evidence of the link.
     pub repair: Option<Repair>,
+    /// Place in another model with which the finding compares.
+    pub related: Option<Related>,
+}
+
+/// Place in another model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Related {
+    /// Name of the file.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
 }
 
 impl Finding {
@@ -81,7 +94,7 @@ impl Finding {
     ) -> Self {
         let (subject, rule, message) = (subject.to_owned(), rule.to_owned(), message.into());
         let (others, numbers) = (Vec::new(), Vec::new());
-        Self { code, severity, subject, others, span, message, rule, numbers, repair: None }
+        Self { code, severity, subject, others, span, message, rule, numbers, repair: None, related: None }
     }
 }
 

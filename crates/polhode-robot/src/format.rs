@@ -13,7 +13,7 @@ use std::borrow::Cow;
 use polhode_source::text::counted;
 
 use crate::checked::{Checked, FileChecked};
-use crate::finding::{Finding, Severity};
+use crate::finding::{Finding, Related, Severity};
 use crate::line_index::{FilePlace, Places};
 use crate::model::{RobotModel, Span};
 use crate::policy::Reason;
@@ -35,6 +35,8 @@ struct Item<'a> {
     id: String,
     /// Reason why the finding does not count, if it is settled.
     settled: Option<&'a Reason>,
+    /// Place in the model that this one is compared with.
+    related: Option<&'a Related>,
     /// Repair: a description, and the edits.
     repair: Option<(&'a str, Vec<Edit<'a>>)>,
 }
@@ -66,6 +68,7 @@ impl FileChecked {
             rule: &finding.rule,
             id: id.to_owned(),
             settled,
+            related: finding.related.as_ref(),
             repair: finding.repair.as_ref().map(|repair| {
                 let edit = |(span, new): &'a (Span, String)| Edit {
                     file: self.name_of(&report.model, places.place(span)),
@@ -133,6 +136,7 @@ impl Checked {
                 rule: crate::rule::rule(remark.code).map_or("", |rule| rule.title),
                 id: remark.id(),
                 settled: None,
+                related: None,
                 repair: None,
             })
         })

@@ -18,6 +18,7 @@
 //! - [`mod@lump`]: links joined to one body, with joint values given by name
 //! - [`mod@inertia`]: reports of these bodies
 //! - [`link_table`]: table of all links and of the whole model
+//! - [`compare`]: two models of one robot, link by link
 //! - [`mod@remarks`]: the reader's notes about a link's mass properties
 //! - [`moments`]: eigenvalues and axes of tensors that may be unphysical
 //! - [`line_index`]: lines and columns of text positions
@@ -25,6 +26,7 @@
 pub mod body;
 pub mod check;
 mod checked;
+pub mod compare;
 mod coordinate;
 mod diff;
 pub mod finding;

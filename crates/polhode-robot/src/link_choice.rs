@@ -14,8 +14,6 @@ use polhode_source::{Failure, shown};
 use serde::{Deserialize, Serialize};
 
 use crate::inertia::{of_link, of_lumps};
-use crate::line_index::{FilePlace, Places};
-use crate::link_error::LinkError;
 use crate::link_table::LinkTable;
 use crate::lump::{Lumping, slides};
 use crate::model::RobotModel;
@@ -143,7 +141,7 @@ impl LinkChoice {
             (Some(name), _, _) => {
                 return of_link(&model, name)
                     .map(|report| vec![report])
-                    .map_err(|error| failure(&model, &error));
+                    .map_err(|error| error.in_model(&model));
             }
             (_, Some(Which::Fixed), _) if !self.joints.is_empty() => {
                 return Err(Failure::usage(
@@ -170,7 +168,7 @@ impl LinkChoice {
             }
         };
         let positions = self.positions(&model)?;
-        of_lumps(&model, lumping, &positions).map_err(|error| failure(&model, &error))
+        of_lumps(&model, lumping, &positions).map_err(|error| error.in_model(&model))
     }
 
     /// Returns a table of the links.
@@ -180,7 +178,7 @@ impl LinkChoice {
     pub fn link_table(&self, files: &dyn Files, file: &Path) -> Result<LinkTable, Failure> {
         let model = read_model(file, &ReadOptions { files, ..ReadOptions::default() })?;
         let positions = self.positions(&model)?;
-        LinkTable::of(&model, &positions).map_err(|error| failure(&model, &error))
+        LinkTable::of(&model, &positions).map_err(|error| error.in_model(&model))
     }
 
     /// Returns the values of joints, rad or m.
@@ -200,7 +198,7 @@ impl LinkChoice {
 
 /// Parses the value of a joint, rad or m.
 fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64), Failure> {
-    let slides = slides(model, name).map_err(|error| failure(model, &error))?;
+    let slides = slides(model, name).map_err(|error| error.in_model(model))?;
     let dimension = if slides { Dimension::LENGTH } else { Dimension::ANGLE };
     match quantity(value, dimension) {
         Ok(q) => Ok((name.to_owned(), q)),
@@ -212,17 +210,5 @@ fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64)
                 "the joint rotates: write an angle, such as 0.5 or \"30 deg\""
             },
         )),
-    }
-}
-
-/// Converts an error to a failure, with its place in the model if it has one.
-fn failure(model: &RobotModel, error: &LinkError) -> Failure {
-    let (message, hint) = (error.to_string(), error.hint());
-    match error.span() {
-        Some(span) => {
-            let FilePlace { file, line, column, .. } = Places::of(model).place(&span);
-            Failure::located(message, file, [line, column], hint)
-        }
-        None => Failure::usage(message, hint).in_file(&model.path),
     }
 }

@@ -5,8 +5,10 @@ use std::fmt;
 
 use polhode::body::BodyError;
 use polhode_document::layout::printable;
+use polhode_source::Failure;
 
-use crate::model::Span;
+use crate::line_index::{FilePlace, Places};
+use crate::model::{RobotModel, Span};
 
 /// Error of a link or of joined links: missing or unphysical numbers, unknown links or joints,
 /// joints that do not form a tree, or unknown joint values.
@@ -50,6 +52,18 @@ impl LinkError {
     /// Adds the name of the link.
     pub(crate) fn of_link(self, link: &str) -> Self {
         Self { message: format!("the link {link:?} cannot be used: {}", self.message), ..self }
+    }
+
+    /// Converts to a failure, with its place in the model if it has one.
+    pub(crate) fn in_model(&self, model: &RobotModel) -> Failure {
+        let (message, hint) = (self.to_string(), self.hint());
+        match self.span() {
+            Some(span) => {
+                let FilePlace { file, line, column, .. } = Places::of(model).place(&span);
+                Failure::located(message, file, [line, column], hint)
+            }
+            None => Failure::usage(message, hint).in_file(&model.path),
+        }
     }
 
     /// Returns the position in the model's text, if there is one.

@@ -22,10 +22,10 @@ use polhode::math::{Body, Rotation};
 
 use self::drive::drives;
 use self::position::Positions;
-use self::tree::{Above, Tree};
+pub(crate) use self::tree::{Above, Tree};
 use crate::body::{LinkMass, link_mass};
 use crate::link_error::{LinkError, suggested};
-use crate::model::{JointKind, Link, ModelFormat, Name, Pose, RobotModel, Span, UnreadBodies};
+use crate::model::{Joint, JointKind, Link, ModelFormat, Name, Pose, RobotModel, Span, UnreadBodies};
 use crate::placement::Placement;
 
 pub use self::drive::Drive;
@@ -105,19 +105,21 @@ pub fn lump(
     };
     let mut groups: Vec<Group> = Vec::new();
     // For each link: its group, and its pose in the group's frame.
-    let mut places: Vec<Option<(usize, Place)>> = vec![None; model.links.len()];
+    let mut places: Vec<Option<(usize, Place)>> = match lumping {
+        Lumping::Fixed => rigid(model, &tree)?,
+        Lumping::All | Lumping::Subtree(_) => vec![None; model.links.len()],
+    };
     let mut moving = Vec::new();
     for &k in &tree.order {
         let (Some(link), Some(above)) = (model.links.get(k), tree.above.get(k)) else { continue };
         let parent = above.parent.and_then(|parent| places.get(parent).copied().flatten());
-        let fixed = above.joints(model).all(|joint| joint.kind == JointKind::Fixed);
         let (group, place) = match (lumping, parent) {
             (Lumping::Subtree(_), _) if root == Some(k) => (0, Place::identity()),
             (Lumping::Subtree(_), None) => continue,
-            (Lumping::Fixed, Some((group, parent))) if fixed => {
-                (group, parent.then(at_rest(model, link, above)?))
+            (Lumping::Fixed, _) => {
+                let Some(own) = places.get(k).copied().flatten() else { continue };
+                own
             }
-            (Lumping::Fixed, _) => (groups.len(), Place::identity()),
             (Lumping::All | Lumping::Subtree(_), _) => {
                 moving.extend(&above.joints);
                 let at_rest = match parent {
@@ -158,9 +160,32 @@ pub fn lump(
     if lumps.is_empty() { Err(LinkError::massless(subtree)) } else { Ok(lumps) }
 }
 
+/// Returns for each link the number of its group of fixed joints, and its pose in the frame of the
+/// group's first link. Groups are numbered in the order of their first links, from the root
+/// outwards.
+pub(crate) fn rigid(model: &RobotModel, tree: &Tree) -> Result<Vec<Option<(usize, Place)>>, LinkError> {
+    let mut places: Vec<Option<(usize, Place)>> = vec![None; model.links.len()];
+    let mut count = 0;
+    for &k in &tree.order {
+        let (Some(link), Some(above)) = (model.links.get(k), tree.above.get(k)) else { continue };
+        let parent = above.parent.and_then(|parent| places.get(parent).copied().flatten());
+        let own = match parent.filter(|_| above.joints(model).all(|joint| joint.kind == JointKind::Fixed)) {
+            Some((group, parent)) => (group, parent.then(at_rest(model, link, above)?)),
+            None => {
+                count += 1;
+                (count - 1, Place::identity())
+            }
+        };
+        if let Some(slot) = places.get_mut(k) {
+            *slot = Some(own);
+        }
+    }
+    Ok(places)
+}
+
 /// Returns an error if these links contain bodies that are not read. `None` means all links and the
 /// world.
-fn require_bodies(model: &RobotModel, links: Option<&HashSet<&str>>) -> Result<(), LinkError> {
+pub(crate) fn require_bodies(model: &RobotModel, links: Option<&HashSet<&str>>) -> Result<(), LinkError> {
     let is_in = |unread: &&UnreadBodies| match (links, &unread.link) {
         (None, _) => true,
         (Some(links), Some(link)) => links.contains(link.as_str()),
@@ -203,7 +228,7 @@ fn links_by_use(model: &RobotModel) -> Vec<&str> {
 }
 
 /// Pose of a link in its group's frame.
-type Place = Placement<Body, Body>;
+pub(crate) type Place = Placement<Body, Body>;
 
 /// Lump under construction.
 #[derive(Debug)]
@@ -278,7 +303,7 @@ fn common_frame(model: &RobotModel, tree: &Tree) -> Result<Option<String>, LinkE
 }
 
 /// Returns the pose of a root in the model's frame with its joints at rest.
-fn in_model(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LinkError> {
+pub(crate) fn in_model(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LinkError> {
     match model.format {
         // These languages state the pose in the joint only.
         ModelFormat::Urdf | ModelFormat::Osim => at_rest(model, link, above),
@@ -287,7 +312,7 @@ fn in_model(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, Lin
 }
 
 /// Returns the pose of a link in its parent's frame with its joints at rest.
-fn at_rest(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LinkError> {
+pub(crate) fn at_rest(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LinkError> {
     match above.joints(model).next() {
         Some(joint) => pose(&joint.pose, &joint.name.text, link),
         None => Ok(Place::identity()),
@@ -303,16 +328,22 @@ fn moved(
 ) -> Result<Place, LinkError> {
     above.joints.iter().try_fold(place, |place, &k| {
         let Some(joint) = model.joints.get(k) else { return Ok(place) };
-        if let Some(why) = &joint.coordinate.unread {
-            let Name { text, span } = &joint.name;
-            let message = format!("the position of the child of joint {text:?} is unknown: {why}");
-            let hint = "choose the subtree of its child, or single links";
-            return Err(LinkError::new(message, hint).at(span));
-        }
-        let q = positions.displacement(k)?;
-        let motion = Place::motion(joint, q).ok_or_else(|| no_pose(&joint.name.text, &joint.span))?;
-        Ok(place.then(motion))
+        require_known(joint, "choose the subtree of its child, or single links")?;
+        Ok(place.then(motion(joint, positions.displacement(k)?)?))
     })
+}
+
+/// Returns an error if the rest position of a joint's child is unknown.
+pub(crate) fn require_known(joint: &Joint, hint: &str) -> Result<(), LinkError> {
+    let Some(why) = &joint.coordinate.unread else { return Ok(()) };
+    let Name { text, span } = &joint.name;
+    let message = format!("the position of the child of joint {text:?} is unknown: {why}");
+    Err(LinkError::new(message, hint).at(span))
+}
+
+/// Returns the motion of a joint's child by q from rest, rad or m.
+pub(crate) fn motion(joint: &Joint, q: f64) -> Result<Place, LinkError> {
+    Place::motion(joint, q).ok_or_else(|| no_pose(&joint.name.text, &joint.span))
 }
 
 /// Returns the placement of a pose; an error if one of its numbers cannot be read.
@@ -324,7 +355,7 @@ fn pose(pose: &Pose, subject: &str, link: &Link) -> Result<Place, LinkError> {
     Place::of(pose).map_err(|_: BodyError| wrong())
 }
 
-fn no_pose(subject: &str, span: &Span) -> LinkError {
+pub(crate) fn no_pose(subject: &str, span: &Span) -> LinkError {
     let message = format!("the pose or axis of {subject:?} is invalid");
     LinkError::new(message, "write finite numbers, and an axis of nonzero length").at(span)
 }

@@ -37,8 +37,7 @@ pub fn remarks(model: &RobotModel, link: Option<&str>) -> Result<Vec<Finding>, L
             return Err(contradiction(&note.subject, &note.message, &note.span));
         }
         let FilePlace { file, line, column, .. } = places.place(&note.span);
-        let harmless = note.severity == NoteSeverity::Note
-            && matches!(note.code, "read.world" | "read.unknown" | "read.package" | "inertia.computed");
+        let harmless = is_harmless(note);
         remarks.push(Finding {
             code: note.code,
             severity: if harmless { Severity::Info } else { Severity::Warning },
@@ -47,6 +46,12 @@ pub fn remarks(model: &RobotModel, link: Option<&str>) -> Result<Vec<Finding>, L
         });
     }
     Ok(remarks)
+}
+
+/// Returns true for notes that do not concern mass properties.
+pub(crate) fn is_harmless(note: &Note) -> bool {
+    note.severity == NoteSeverity::Note
+        && matches!(note.code, "read.world" | "read.unknown" | "read.package" | "inertia.computed")
 }
 
 /// Returns the error of a model that states a body's numbers twice with different values.

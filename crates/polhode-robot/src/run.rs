@@ -171,7 +171,8 @@ impl<'a> Inputs<'a> {
             Some(severity) => severity,
             None => self.policy.config.fail_on.unwrap_or(Severity::Suspect),
         };
-        Checked { files: outcomes, is_one, excluded: self.excluded.len(), remarks, fail_on }
+        let excluded = self.excluded.len();
+        Checked { files: outcomes, is_one, excluded, remarks, fail_on, command: "polhode check" }
     }
 
     /// Checks a model, and fixes it if requested.

@@ -183,7 +183,7 @@ impl CheckReport {
     }
 }
 
-const fn mark(severity: Severity) -> char {
+pub(crate) const fn mark(severity: Severity) -> char {
     match severity {
         Severity::Impossible => '✗',
         Severity::Suspect => '!',
@@ -192,11 +192,11 @@ const fn mark(severity: Severity) -> char {
 }
 
 /// Returns the name of the link, or "the model".
-fn subject(finding: &Finding) -> String {
+pub(crate) fn subject(finding: &Finding) -> String {
     if finding.subject.is_empty() { "the model".to_owned() } else { printable(&finding.subject) }
 }
 
-fn paragraph(text: &mut String, label: &str, sentence: &str) {
+pub(crate) fn paragraph(text: &mut String, label: &str, sentence: &str) {
     if sentence.is_empty() {
         return;
     }

@@ -14,6 +14,7 @@ mod check_gate;
 mod check_outputs;
 mod command;
 mod common;
+mod compare;
 mod contact;
 mod cookbook;
 mod corpus;

@@ -39,6 +39,8 @@ fn schemas_are_strict() {
         polhode_robot::REQUEST_SCHEMA,
         polhode_robot::REPORT_SCHEMA,
         polhode_robot::LINK_CHOICE_SCHEMA,
+        polhode_robot::compare::REQUEST_SCHEMA,
+        polhode_robot::compare::REPORT_SCHEMA,
         polhode_shape::REQUEST_SCHEMA,
         polhode_shape::REPORT_SCHEMA,
         polhode_identify::REQUEST_SCHEMA,
@@ -103,6 +105,10 @@ fn requests_fit() {
         "against": "old.csv",
     });
     check_request::<polhode_judge::Request>(polhode_judge::REQUEST_SCHEMA, &full);
+    let full = json!({
+        "a": "old.urdf", "b": "new.xml", "tolerance": "1e-4", "map": "names.toml", "root": ["packages"],
+    });
+    check_request::<polhode_robot::compare::Request>(polhode_robot::compare::REQUEST_SCHEMA, &full);
     let full = json!({ "plan": "plan.toml", "threads": 4 });
     check_request::<polhode_sweep::Request>(polhode_sweep::REQUEST_SCHEMA, &full);
     let full = json!({ "file": "top.toml", "at": ["0 s, 1 s", "2:3:0.5"], "error": true, "verbose": true });
@@ -217,6 +223,7 @@ fn schemas_are_printed() {
     for (name, schemas) in [
         ("inertia", [polhode_shape::REPORT_SCHEMA, polhode_shape::REQUEST_SCHEMA]),
         ("check", [polhode_robot::REPORT_SCHEMA, polhode_robot::REQUEST_SCHEMA]),
+        ("compare", [polhode_robot::compare::REPORT_SCHEMA, polhode_robot::compare::REQUEST_SCHEMA]),
         ("sweep", [polhode_sweep::REPORT_SCHEMA, polhode_sweep::REQUEST_SCHEMA]),
         ("judge", [polhode_judge::REPORT_SCHEMA, polhode_judge::REQUEST_SCHEMA]),
         ("identify", [polhode_identify::REPORT_SCHEMA, polhode_identify::REQUEST_SCHEMA]),

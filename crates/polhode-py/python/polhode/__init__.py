@@ -15,8 +15,8 @@
   :func:`explain`: the worked solution
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: parameter
   sweeps, on one machine or on clusters
-- :func:`check`: checks of the inertias of a robot model; :func:`link_table`, :func:`fixed_groups`:
-  its links as bodies
+- :func:`check`: checks of the inertias of a robot model; :func:`compare`: comparison of two models;
+  :func:`link_table`, :func:`fixed_groups`: the links of a model as bodies
 - :mod:`plot`: figures (requires Matplotlib); :func:`widget`: an interactive motion with sliders in
   a notebook
 - :mod:`polhode.results`: classes of what functions return
@@ -47,6 +47,7 @@ _HOMES = {
     "Scenario": "_scenario",
     "budget": "_budget",
     "check": "_check",
+    "compare": "_compare",
     "explain": "_explain",
     "find_flights": "_flights",
     "fixed_groups": "_robot",
@@ -85,6 +86,7 @@ __all__ = [
     "__version__",
     "budget",
     "check",
+    "compare",
     "explain",
     "find_flights",
     "fixed_groups",
@@ -115,6 +117,7 @@ if TYPE_CHECKING:
     from ._body import Body
     from ._budget import budget
     from ._check import check
+    from ._compare import compare
     from ._ensemble import Ensemble
     from ._error import PolhodeError, PolhodeWarning
     from ._explain import explain

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from ._budget import Budget, BudgetCase, BudgetLimit, BudgetRow, ErrorShare
 from ._check import CheckReport, ModelFinding
+from ._compare import Comparison, ModelDifference
 from ._derivatives import Derivatives, EventDerivatives
 from ._ensemble_states import EnsembleStates, Failure, Stop
 from ._estimate import Estimate, Number, PrincipalEstimate, ResidualTest
@@ -53,6 +54,7 @@ __all__ = [
     "BudgetRow",
     "Cause",
     "CheckReport",
+    "Comparison",
     "Derivatives",
     "Edge",
     "Ending",
@@ -75,6 +77,7 @@ __all__ = [
     "LinkRow",
     "LinkTable",
     "MeshDerivatives",
+    "ModelDifference",
     "ModelFinding",
     "Motion",
     "MotionError",

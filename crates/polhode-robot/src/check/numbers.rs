@@ -141,15 +141,6 @@ fn number(subject: &str, number: &Number, what: &str, findings: &mut Vec<Finding
         description: format!("{what} {text} → {meant}"),
         edits: vec![(number.span.clone(), meant)],
     });
-    findings.push(Finding {
-        code,
-        severity: Severity::Impossible,
-        subject: subject.to_owned(),
-        others: Vec::new(),
-        span: number.span.clone(),
-        message,
-        rule: rule.to_owned(),
-        numbers: Vec::new(),
-        repair,
-    });
+    let found = Finding::new(code, Severity::Impossible, subject, number.span.clone(), message, rule);
+    findings.push(Finding { repair, ..found });
 }

@@ -23,11 +23,26 @@ use crate::model::Tensor;
 use crate::moments::{Elements, Moments};
 
 /// Permutation of elements with signs: `right[k] = ± written[from[k]]`
-struct Order {
-    mistake: &'static str,
+pub(crate) struct Order {
+    pub(crate) mistake: &'static str,
     from: [usize; 6],
     /// True for elements whose sign changes.
     negated: [bool; 6],
+}
+
+impl Order {
+    /// Returns the elements in the right order.
+    pub(crate) fn applied(&self, written: &Elements) -> Elements {
+        std::array::from_fn(|k| {
+            let element = written[self.from[k]];
+            if self.negated[k] { -element } else { element }
+        })
+    }
+
+    /// Returns all orders.
+    pub(crate) fn all() -> impl Iterator<Item = &'static Self> {
+        LISTS.iter().chain(&PRODUCTS).chain(&MOMENTS).chain(&AXES)
+    }
 }
 
 const fn order(mistake: &'static str, from: [usize; 6]) -> Order {
@@ -120,9 +135,9 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
         return;
     }
     let possible: Vec<&Order> =
-        LISTS.iter().filter(|o| Moments::of(&right(body, o)).are_possible(slack(body))).collect();
+        LISTS.iter().filter(|o| Moments::of(&o.applied(&body.written)).are_possible(slack(body))).collect();
     let Some(order) = possible.first() else { return };
-    let [a, b, c] = Moments::of(&right(body, order)).values.map(|x| super::written::short(x, 4));
+    let [a, b, c] = Moments::of(&order.applied(&body.written)).values.map(|x| super::written::short(x, 4));
     let message = format!(
         "{}? This would make the tensor possible ({a}, {b}, {c} kg·m²), but no geometry confirms it",
         order.mistake
@@ -132,8 +147,4 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
 
 fn slack(body: &Body) -> f64 {
     body.rounding.iter().fold(0.0, |max, h| f64::max(max, *h))
-}
-
-fn right(body: &Body, order: &Order) -> Elements {
-    order.from.map(|k| body.written[k])
 }

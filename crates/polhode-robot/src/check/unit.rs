@@ -13,15 +13,15 @@ use crate::moments::trace;
 
 /// Unit of moments of inertia.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Unit {
-    pub(super) name: &'static str,
+pub(crate) struct Unit {
+    pub(crate) name: &'static str,
     /// Value of the unit, kg·m².
-    pub(super) factor: f64,
+    pub(crate) factor: f64,
     /// Exponent of the factor, if it is a power of ten.
     power: Option<i32>,
 }
 
-const UNITS: [Unit; 8] = [
+pub(crate) const UNITS: [Unit; 8] = [
     Unit { name: "g·mm²", factor: 1e-9, power: Some(-9) },
     Unit { name: "g·cm²", factor: 1e-7, power: Some(-7) },
     Unit { name: "kg·mm²", factor: 1e-6, power: Some(-6) },

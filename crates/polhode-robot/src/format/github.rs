@@ -40,13 +40,14 @@ impl Checked {
             }
         }
         for line in self.left_out() {
-            let _ = writeln!(text, "::notice title=polhode check::{}", data(&line));
+            let _ = writeln!(text, "::notice title={}::{}", self.command, data(&line));
         }
         let (Counts { impossible, suspect, note }, allowed, known) = self.counts();
         let (files, note) = (counted(self.files.len(), "file"), counted(note, "note"));
         let _ = writeln!(
             text,
-            "polhode check: {files}, {impossible} impossible, {suspect} suspect, {note}, {allowed} allowed, {known} known"
+            "{}: {files}, {impossible} impossible, {suspect} suspect, {note}, {allowed} allowed, {known} known",
+            self.command
         );
         text
     }

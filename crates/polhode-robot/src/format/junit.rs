@@ -16,7 +16,8 @@ impl Checked {
             self.files.iter().map(|file| self.suite(file)).chain(self.policy_suites()).collect();
         let sum = |of: fn(&Suite) -> usize| suites.iter().map(of).sum::<usize>();
         let mut text = format!(
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"polhode check\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
+            self.command,
             sum(|suite| suite.tests),
             sum(|suite| suite.failures),
             sum(|suite| suite.errors)

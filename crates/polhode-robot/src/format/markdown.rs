@@ -16,8 +16,9 @@ impl Checked {
         let (Counts { impossible, suspect, note }, allowed, known) = self.counts();
         let (files, note) = (counted(self.files.len(), "file"), counted(note, "note"));
         let mut text = format!(
-            "### polhode check\n\n{files}: **{impossible} impossible**, {suspect} suspect, {note}; {allowed} allowed, {known} \
-             known.\n"
+            "### {}\n\n{files}: **{impossible} impossible**, {suspect} suspect, {note}; {allowed} allowed, {known} \
+             known.\n",
+            self.command
         );
         for line in self.left_out() {
             let _ = writeln!(text, "\n{}.", cell(&line));

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::{Item, about};
 use crate::checked::{Checked, FileChecked};
-use crate::finding::Severity;
+use crate::finding::{Related, Severity};
 use crate::policy::Reason;
 use crate::rule::{Rule, rules};
 
@@ -82,6 +82,15 @@ fn result(item: &Item<'_>) -> Value {
             Reason::Known => "known: listed in the baseline",
         };
         result["suppressions"] = json!([{ "kind": "external", "justification": justification }]);
+    }
+    if let Some(Related { file, line, column }) = item.related {
+        result["relatedLocations"] = json!([{
+            "message": { "text": "in the first model" },
+            "physicalLocation": {
+                "artifactLocation": { "uri": uri(file) },
+                "region": { "startLine": line, "startColumn": column },
+            },
+        }]);
     }
     if let Some((description, edits)) = &item.repair {
         let mut changes: BTreeMap<&str, Vec<Value>> = BTreeMap::new();

@@ -7,32 +7,32 @@ use crate::model::{Joint, Name, RobotModel};
 
 /// Parent of each link, and a topological order of the links.
 #[derive(Debug)]
-pub(super) struct Tree {
+pub(crate) struct Tree {
     /// Parent and joints of each link, in file order.
-    pub(super) above: Vec<Above>,
+    pub(crate) above: Vec<Above>,
     /// All links, each once, from the roots outwards.
-    pub(super) order: Vec<usize>,
+    pub(crate) order: Vec<usize>,
 }
 
 /// Connection of a link to its parent.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Above {
+pub(crate) struct Above {
     /// Parent link; `None` if the parent is the world or the link has none.
-    pub(super) parent: Option<usize>,
+    pub(crate) parent: Option<usize>,
     /// Indices of the joints, in file order; empty for a free root.
-    pub(super) joints: Vec<usize>,
+    pub(crate) joints: Vec<usize>,
 }
 
 impl Above {
     /// Returns the joints to the parent.
-    pub(super) fn joints<'m>(&self, model: &'m RobotModel) -> impl Iterator<Item = &'m Joint> {
+    pub(crate) fn joints<'m>(&self, model: &'m RobotModel) -> impl Iterator<Item = &'m Joint> {
         self.joints.iter().filter_map(|&k| model.joints.get(k))
     }
 }
 
 impl Tree {
     /// Builds the tree of a model. It does not recurse, so the length of a chain is not limited.
-    pub(super) fn of(model: &RobotModel) -> Result<Self, LinkError> {
+    pub(crate) fn of(model: &RobotModel) -> Result<Self, LinkError> {
         const SPELLING: &str = "check the spelling of the names";
         const ONE_PLACE: &str =
             "the position of each link is defined only in a tree: delete the joint that closes the loop";
@@ -81,7 +81,7 @@ impl Tree {
     }
 
     /// Returns the links without a parent link, in file order.
-    pub(super) fn roots(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn roots(&self) -> impl Iterator<Item = usize> {
         self.above.iter().enumerate().filter(|(_, above)| above.parent.is_none()).map(|(k, _)| k)
     }
 }

@@ -15,6 +15,7 @@ mod check_mass;
 mod check_pairs;
 mod check_tree;
 mod common;
+mod compare;
 mod coupling;
 mod fix_cases;
 mod geometry;

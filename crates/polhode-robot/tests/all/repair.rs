@@ -39,6 +39,7 @@ fn finding(code: &'static str, edits: Vec<(std::ops::Range<usize>, &str)>) -> Fi
         rule: String::new(),
         numbers: Vec::new(),
         repair: Some(Repair { description: String::new(), edits }),
+        related: None,
     }
 }
 

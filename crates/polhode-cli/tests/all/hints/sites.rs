@@ -85,13 +85,12 @@ pub(super) fn check_options(help: impl Fn(&str) -> String) {
         ("budget", "budget"),
         ("identify", "identify"),
         ("judge", "judge simulate"),
-        ("robot", "check inertia"),
+        ("robot", "check compare inertia"),
         ("shape", "inertia"),
         ("sweep", "sweep"),
         ("table", "judge identify"),
     ];
-    const ALL: &str =
-        "budget check explain identify inertia judge live new schema simulate spin stability sweep torque";
+    const ALL: &str = "budget check compare explain identify inertia judge live new schema simulate spin stability sweep torque";
     let options = |text: &str| -> Vec<String> {
         let ends = |c: char| !(c.is_ascii_lowercase() || c == '-');
         let words =

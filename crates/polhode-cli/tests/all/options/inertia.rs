@@ -1,4 +1,4 @@
-//! Option pairs of `polhode inertia` and `polhode check`.
+//! Option pairs of `polhode inertia`, `polhode check` and `polhode compare`.
 
 use crate::options::{Choice, Subcommand, every_pair_is_honoured_or_refused};
 
@@ -230,4 +230,26 @@ fn pairs_of_inertia() {
 #[test]
 fn pairs_of_check() {
     every_pair_is_honoured_or_refused(&CHECK);
+}
+
+const TWO: &[&str] = &["two models", "two models again"];
+
+static COMPARE: Subcommand = Subcommand {
+    name: "compare",
+    inputs: &[("two models", &["one.sdf", "two.sdf"]), ("two models again", &["one.sdf", "two.sdf"])],
+    options: &[
+        choice("--tolerance", &["--tolerance", "1e-2"], TWO, &[]),
+        choice("--map", &["--map", "names.toml"], TWO, &[]),
+        choice("--root", &["--root", "packages"], TWO, &[]),
+        choice("--format", &["--format", "github"], TWO, &[]),
+        choice("--json", &["--json"], TWO, &[]),
+        choice("--output", &["--output", "results"], &["two models"], &[]),
+        choice("--force", &["--force"], &["two models again"], &["--output"]),
+    ],
+    independent: &[],
+};
+
+#[test]
+fn pairs_of_compare() {
+    every_pair_is_honoured_or_refused(&COMPARE);
 }

@@ -175,6 +175,33 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
                 scratch.write("fixed.urdf", "an older one");
             }
         }
+        "two models" | "two models again" => {
+            let link = |name: &str, mass: &str| {
+                format!(
+                    "<link name='{name}'><inertial><pose>0.1 0.2 0.3 0 0 0</pose><mass>{mass}</mass><inertia><ixx>0.2</ixx>\
+                     <iyy>0.3</iyy><izz>0.4</izz></inertia></inertial></link>"
+                )
+            };
+            let model = |base: &str, mass: &str| {
+                format!(
+                    "<sdf version='1.9'><model name='m'>{}{}<joint name='j' type='revolute'><parent>{base}</parent><child>arm</child>\
+                     <axis><xyz>0 0.6 0.8</xyz></axis></joint><include><uri>model://tip</uri></include></model></sdf>",
+                    link(base, mass),
+                    link("arm", "1")
+                )
+            };
+            fs::create_dir_all(scratch.0.join("packages/tip")).unwrap();
+            let tip = format!("<sdf version='1.9'><model name='tip'>{}</model></sdf>", link("end", "0.5"));
+            fs::write(scratch.0.join("packages/tip/model.sdf"), tip).unwrap();
+            let config = "<model><name>tip</name><sdf version='1.9'>model.sdf</sdf></model>";
+            fs::write(scratch.0.join("packages/tip/model.config"), config).unwrap();
+            scratch.write("one.sdf", &model("base", "2"));
+            scratch.write("two.sdf", &model("foot", "2.001"));
+            scratch.write("names.toml", "[links]\nbase = \"foot\"\n");
+            if input == "two models again" {
+                scratch.write("results", "an older one");
+            }
+        }
         "table there" => {
             fs::copy(crate::common::example("slew.toml"), scratch.0.join("slew.toml")).unwrap();
             scratch.write("slew-torque.csv", "older");

@@ -227,6 +227,7 @@ fn every_subcommand_is_looked_at() {
     let tables = [
         "inertia",
         "check",
+        "compare",
         "simulate",
         "spin",
         "stability",

@@ -17,6 +17,7 @@
 //! - [`body`]: a link's mass properties in its own frame
 //! - [`mod@lump`]: links joined to one body, with joint values given by name
 //! - [`mod@inertia`]: reports of these bodies
+//! - [`mod@inertials`]: inertials of all links from their geometry, written into the model
 //! - [`link_table`]: table of all links and of the whole model
 //! - [`mod@remarks`]: the reader's notes about a link's mass properties
 //! - [`moments`]: eigenvalues and axes of tensors that may be unphysical
@@ -32,6 +33,7 @@ mod format;
 mod found;
 pub mod geometry;
 pub mod inertia;
+pub mod inertials;
 pub mod inspect;
 mod json;
 pub mod line_index;

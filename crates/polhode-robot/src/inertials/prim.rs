@@ -1,0 +1,1 @@
+//! Inertials of USD prims.

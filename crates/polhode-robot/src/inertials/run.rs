@@ -1,6 +1,6 @@
 //! Computes, writes, reads back and checks the inertials of a model.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use polhode::math::Rotation;
 use polhode_source::files::Files;
@@ -10,6 +10,7 @@ use super::choice::{Chosen, Unusable, choose};
 use super::digits::InertialDigits;
 use super::element::LinkElements;
 use super::outcome::{Inertials, LinkOutcome, Outcome, Written};
+use super::prim;
 use super::request::InertialsRequest;
 use super::selection::{chosen, has_inertial};
 use super::substance::{LinkBody, Substances, Weighed};
@@ -21,6 +22,7 @@ use crate::line_index::LineIndex;
 use crate::model::{Link, ModelFormat, RobotModel, Span};
 use crate::moments::elements;
 use crate::parallel;
+use crate::read::usd::{MassSite, mass_sites};
 use crate::read::{ReadOptions, read_model, read_text};
 use crate::repair::{Repaired, edited};
 
@@ -29,6 +31,22 @@ struct Ready {
     written: Written,
     digits: InertialDigits,
     edits: Vec<(Span, String)>,
+}
+
+/// Places of the links in the text.
+enum Places {
+    Elements(LinkElements),
+    Prims(HashMap<String, MassSite>),
+}
+
+impl Places {
+    fn of(model: &RobotModel) -> Result<Self, FormatError> {
+        let places = match model.format {
+            ModelFormat::Usd => mass_sites(&model.text).map(Self::Prims),
+            _ => LinkElements::of(&model.text).map(Self::Elements),
+        };
+        places.map_err(|error| FormatError::of_content(&model.path, model.text.as_bytes(), error))
+    }
 }
 
 /// Computes the inertials of the chosen links, and edits the model's text.
@@ -84,7 +102,7 @@ pub fn write_inertials(request: &InertialsRequest, files: &dyn Files) -> Result<
         let had_inertial = has_inertial(solid.link);
         let made = require_own(&model, solid.link)
             .and_then(|()| substances.body(&model, &solid))
-            .and_then(|body| made(&model, elements.as_ref(), &solid, body));
+            .and_then(|body| made(&model, &places, &solid, body));
         match made {
             Ok(made) => drop(ready.insert(k, made)),
             Err(why) => drop(outcomes.insert(k, Outcome::NotWritten { why, had_inertial })),
@@ -124,19 +142,15 @@ fn require_own(model: &RobotModel, link: &Link) -> Result<(), String> {
 }
 
 /// Returns the inertial of a link with its edits.
-fn made(
-    model: &RobotModel,
-    elements: Option<&LinkElements>,
-    solid: &Weighed<'_>,
-    body: LinkBody,
-) -> Result<Ready, String> {
+fn made(model: &RobotModel, places: &Places, solid: &Weighed<'_>, body: LinkBody) -> Result<Ready, String> {
     let Weighed { link, chosen: Chosen { solid, role, reason } } = solid;
     let extent = solid.whole().map_or(0.0, |whole| whole.extent);
     let LinkBody { properties, mass_by, kept } = body;
+    let is_kept = kept.is_some();
     let digits = InertialDigits::of(&properties, solid.error, extent, kept);
-    let edits = match elements {
-        Some(elements) => vec![elements.edit(model, link, &digits)?],
-        None => return Err("USD".to_owned()),
+    let edits = match places {
+        Places::Elements(elements) => vec![elements.edit(model, link, &digits)?],
+        Places::Prims(sites) => prim::edits(model, sites, link, &properties, &digits, is_kept)?,
     };
     let written = Written {
         properties: properties.in_frame(Rotation::identity()),

@@ -91,13 +91,7 @@ pub fn write_inertials(request: &InertialsRequest, files: &dyn Files) -> Result<
     let unusable = unusable.and_then(|(k, _)| model.links.get(*k)).map(|link| link.name.text.as_str());
     let (numbers, solids): (Vec<usize>, Vec<Weighed<'_>>) = solids.into_iter().unzip();
     let substances = Substances::of(&model, request, &solids, unusable)?;
-    let elements = match model.format {
-        ModelFormat::Usd => None,
-        _ => Some(
-            LinkElements::of(&model.text)
-                .map_err(|error| FormatError::of_content(&model.path, model.text.as_bytes(), error))?,
-        ),
-    };
+    let places = Places::of(&model)?;
     for (k, solid) in numbers.into_iter().zip(solids) {
         let had_inertial = has_inertial(solid.link);
         let made = require_own(&model, solid.link)

@@ -77,3 +77,9 @@ pub const LINK_CHOICE_SCHEMA: &str = include_str!("../schema/link-choice.json");
 
 /// JSON schema of the report of a [`Checked`].
 pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
+
+/// JSON schema of an [`inertials::InertialsRequest`].
+pub const INERTIALS_REQUEST_SCHEMA: &str = include_str!("../schema/inertials-request.json");
+
+/// JSON schema of the report of [`inertials::Inertials`].
+pub const INERTIALS_REPORT_SCHEMA: &str = include_str!("../schema/inertials-report.json");

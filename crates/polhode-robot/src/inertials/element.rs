@@ -50,16 +50,16 @@ impl LinkElements {
         })
     }
 
-    /// Returns the edit that writes the inertial of a link.
+    /// Returns the edits that write the inertial of a link.
     ///
     /// # Errors
     /// The reason in words why it cannot be written.
-    pub(super) fn edit(
+    pub(super) fn edits(
         &self,
         model: &RobotModel,
         link: &Link,
         digits: &InertialDigits,
-    ) -> Result<(Span, String), String> {
+    ) -> Result<Vec<(Span, String)>, String> {
         let Some(element) = self.0.get(&link.span.start) else {
             return Err("its element was not found".to_owned());
         };
@@ -85,16 +85,35 @@ impl LinkElements {
             }
         };
         let Some(indent) = indent else {
-            return Ok((span, lines.into_iter().map(|(_, line)| line).collect()));
+            return Ok(vec![(span, lines.into_iter().map(|(_, line)| line).collect())]);
         };
         let around = own_indent(text, link.span.start).unwrap_or("");
         let step = indent.strip_prefix(around).filter(|step| !step.is_empty()).unwrap_or("  ");
         let indented = |(depth, line): (usize, String)| format!("{indent}{}{line}", step.repeat(depth));
         let all = lines.into_iter().map(indented).collect::<Vec<_>>().join(end);
-        let new =
-            if element.inertial.is_some() { all.trim_start().to_owned() } else { format!("{end}{all}") };
-        Ok((span, new))
+        if element.inertial.is_none() {
+            return Ok(vec![(span, format!("{end}{all}"))]);
+        }
+        Ok(by_lines(text, span, all.trim_start(), end))
     }
+}
+
+/// Returns the edits from a span to a new text, one for each line that changes if both have as many
+/// lines.
+fn by_lines(text: &str, span: Span, new: &str, end: &str) -> Vec<(Span, String)> {
+    let old = text.get(span.clone()).unwrap_or_default();
+    if old.split(end).count() != new.split(end).count() {
+        return vec![(span, new.to_owned())];
+    }
+    let mut at = span.start;
+    let mut edits = Vec::new();
+    for (old, new) in old.split(end).zip(new.split(end)) {
+        if old != new {
+            edits.push((at..at + old.len(), new.to_owned()));
+        }
+        at += old.len() + end.len();
+    }
+    edits
 }
 
 /// Returns the lines of an inertial with their depths.

@@ -69,6 +69,8 @@ pub struct Written {
     pub mass_by: String,
     /// Bound on the error of the moments, relative to the tensor.
     pub error: f64,
+    /// True if the link states the same inertial already, so that its text is unchanged.
+    pub is_unchanged: bool,
 }
 
 impl Inertials {
@@ -82,9 +84,14 @@ impl Inertials {
         &self.after
     }
 
-    /// Returns the number of links with a new inertial.
-    pub fn written(&self) -> usize {
-        self.links.iter().filter(|link| matches!(link.outcome, Outcome::Written(_))).count()
+    /// Returns the numbers of links with a new inertial, and with one that was right.
+    pub fn counts(&self) -> [usize; 2] {
+        let written = self.links.iter().filter_map(|link| match &link.outcome {
+            Outcome::Written(written) => Some(written.is_unchanged),
+            Outcome::NoGeometry { .. } | Outcome::NotWritten { .. } => None,
+        });
+        written
+            .fold([0, 0], |[new, unchanged], is| if is { [new, unchanged + 1] } else { [new + 1, unchanged] })
     }
 
     /// Sets the path of the output.

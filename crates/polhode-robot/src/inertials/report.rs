@@ -20,13 +20,15 @@ impl Inertials {
 
     /// Returns one line for the model and one for each link.
     pub fn lines(&self) -> Vec<String> {
-        let (written, all) = (self.written(), self.links.len());
+        let ([new, unchanged], all) = (self.counts(), self.links.len());
         let path = printable(&self.model.path.to_string_lossy());
         let to = match &self.out {
             Some(out) => format!(", in {}", printable(&out.to_string_lossy())),
             None => String::new(),
         };
-        let first = format!("{path}: new inertials for {written} of {}{to}", counted(all, "link"));
+        let right = if unchanged > 0 { format!("; {unchanged} unchanged") } else { String::new() };
+        let first =
+            format!("{path}: {} for {}{right}{to}", counted(new, "new inertial"), counted(all, "link"));
         let links = self.links.iter().map(|link| format!("{path}:{}: {}", link.line, link.in_words()));
         [first].into_iter().chain(links).map(|line| plain_spaces(&line)).collect()
     }
@@ -37,9 +39,10 @@ impl LinkOutcome {
         let link = printable(&self.link);
         match &self.outcome {
             Outcome::Written(written) => {
-                let Written { properties, volume, role, reason, mass_by, error, .. } = &**written;
+                let Written { properties, volume, role, reason, mass_by, error, is_unchanged } = &**written;
                 let mut text = format!(
-                    "{link}: {} kg ({mass_by}), {} m³ of {}: {reason}",
+                    "{link}: {}{} kg ({mass_by}), {} m³ of {}: {reason}",
+                    if *is_unchanged { "unchanged: " } else { "" },
                     number(properties.mass(), 6),
                     number(*volume, 6),
                     name(*role),
@@ -69,7 +72,7 @@ impl LinkOutcome {
         object.insert("written".to_owned(), is_written.into());
         object.insert("why_not".to_owned(), why.into());
         if let Outcome::Written(written) = &self.outcome {
-            let Written { properties, volume, role, reason, mass_by, error } = &**written;
+            let Written { properties, volume, role, reason, mass_by, error, is_unchanged } = &**written;
             let Value::Object(own) = json!({
                 "mass_kg": properties.mass(),
                 "center_of_mass_m": properties.center_of_mass().to_array(),
@@ -79,6 +82,7 @@ impl LinkOutcome {
                 "reason": reason,
                 "mass_by": mass_by,
                 "relative_error": error,
+                "unchanged": is_unchanged,
             }) else {
                 return Value::Object(object);
             };

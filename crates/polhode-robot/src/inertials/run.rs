@@ -7,7 +7,7 @@ use polhode_source::files::Files;
 use polhode_source::{Failure, FormatError};
 
 use super::choice::{Chosen, Unusable, choose};
-use super::digits::InertialDigits;
+use super::digits::{Digits, InertialDigits};
 use super::element::LinkElements;
 use super::outcome::{Inertials, LinkOutcome, Outcome, Written};
 use super::prim;
@@ -25,6 +25,12 @@ use crate::parallel;
 use crate::read::usd::{MassSite, mass_sites};
 use crate::read::{ReadOptions, read_model, read_text};
 use crate::repair::{Repaired, edited};
+
+/// Relative tolerance of an inertial that is right as it is.
+const SAME: f64 = 1e-12;
+
+/// Relative tolerance of an inertial that is read back: single precision in USD.
+const SINGLE: f64 = 1e-6;
 
 /// Inertial that is ready to be written.
 struct Ready {
@@ -142,8 +148,11 @@ fn made(model: &RobotModel, places: &Places, solid: &Weighed<'_>, body: LinkBody
     let LinkBody { properties, mass_by, kept } = body;
     let is_kept = kept.is_some();
     let digits = InertialDigits::of(&properties, solid.error, extent, kept);
+    let states_it = has_inertial(link) && link.computed.is_none();
+    let is_unchanged = states_it && misread(model, link, &digits, SAME).is_none();
     let edits = match places {
-        Places::Elements(elements) => vec![elements.edit(model, link, &digits)?],
+        _ if is_unchanged => Vec::new(),
+        Places::Elements(elements) => elements.edits(model, link, &digits)?,
         Places::Prims(sites) => prim::edits(model, sites, link, &properties, &digits, is_kept)?,
     };
     let written = Written {
@@ -153,6 +162,7 @@ fn made(model: &RobotModel, places: &Places, solid: &Weighed<'_>, body: LinkBody
         reason: reason.clone(),
         mass_by,
         error: solid.error,
+        is_unchanged,
     };
     Ok(Ready { written, digits, edits })
 }
@@ -177,7 +187,8 @@ fn proved(
         let mut withdrawn = Vec::new();
         for (&k, ready) in &*ready {
             let Some(link) = after.links.get(k) else { continue };
-            let fault = misread(&after, link, &ready.digits).or_else(|| fault(link, before, &findings));
+            let fault =
+                misread(&after, link, &ready.digits, SINGLE).or_else(|| fault(link, before, &findings));
             withdrawn.extend(fault.map(|why| (k, why)));
         }
         if withdrawn.is_empty() {
@@ -191,22 +202,24 @@ fn proved(
     }
 }
 
-/// Returns the reason why a program does not read the intended numbers, if it does not.
-fn misread(after: &RobotModel, link: &Link, digits: &InertialDigits) -> Option<String> {
-    let body = match link_mass(after.format, link) {
+/// Returns the reason why programs do not read the intended numbers of a link, within a relative
+/// tolerance; `None` if they do.
+fn misread(model: &RobotModel, link: &Link, digits: &InertialDigits, tolerance: f64) -> Option<String> {
+    let body = match link_mass(model.format, link) {
         Ok(LinkMass::Body(body)) => body.properties,
         Ok(LinkMass::None) => return Some("programs do not read its inertial".to_owned()),
         Err(error) => return Some(format!("its new inertial cannot be used: {error}")),
     };
+    let (centers, own) = (body.center_of_mass().to_array(), elements(&body.inertia().matrix()));
     let [mass, center, tensor] = digits.errors;
-    let tensor =
-        tensor.max(1e-6 * digits.tensor.iter().fold(0.0, |most: f64, digits| most.max(digits.value.abs())));
-    let near = |a: f64, b: f64, error: f64| (a - b).abs() <= 2.0 * error + 1e-6 * b.abs();
-    let centers = body.center_of_mass().to_array();
-    let own = elements(&body.inertia().matrix());
-    let is_read = near(body.mass(), digits.mass.value, mass)
-        && (0..3).all(|k| near(centers[k], digits.center[k].value, center))
-        && (0..6).all(|k| near(own[k], digits.tensor[k].value, tensor));
+    let largest = own.iter().fold(0.0, |most: f64, element| most.max(element.abs()));
+    // The size of the body and the position of its centre bound the rounding of the centre.
+    let size = (largest / body.mass()).sqrt();
+    let near =
+        |a: f64, b: &Digits, error: f64, scale: f64| (a - b.value).abs() <= 2.0 * error + tolerance * scale;
+    let is_read = near(body.mass(), &digits.mass, mass, body.mass())
+        && centers.iter().zip(&digits.center).all(|(c, new)| near(*c, new, center, size + c.abs()))
+        && own.iter().zip(&digits.tensor).all(|(element, new)| near(*element, new, tensor, largest));
     (!is_read).then(|| {
         "programs read other numbers than its inertial: settings of the model change them".to_owned()
     })

@@ -183,33 +183,39 @@ impl<'r> Substances<'r> {
             .filter(|(_, own)| own.is_none())
             .map(|(piece, _)| piece.volume.volume)
             .sum();
-        let parts = if known > 0.0 { ", and its parts' own substances" } else { "" };
+        let parts = if known > 0.0 && rest > 0.0 { ", and its parts' own substances" } else { "" };
         let stated = self.of_link(solid.link)?;
-        // Density of the rest, its origin in words, and the text of a kept mass.
-        let (density, mass_by, kept) = match (
-            stated.or(self.common.filter(|common| matches!(common, Substance::Density(_)))),
-            self.of_total,
-        ) {
-            (Some(Substance::Density(density)), _) => (density, in_density(density), None),
-            (Some(Substance::Mass(mass)), _) => (of_rest(mass, known, rest)?, "given".to_owned(), None),
+        let given = stated.or(self.common.filter(|common| matches!(common, Substance::Density(_))));
+        // Amount of the rest, its origin in words, and the text of a kept mass.
+        let (amount, mass_by, kept) = match (given, self.of_total) {
+            (Some(Substance::Density(density)), _) => (Amount::Density(density), in_density(density), None),
+            (Some(Substance::Mass(mass)), _) => (remainder(mass, known, rest)?, "given".to_owned(), None),
             (Some(Substance::AreaDensity(_) | Substance::LineDensity(_)), _) => {
                 return Err("a density per area or length is not that of a solid".to_owned());
             }
-            (None, Some(density)) => (density, format!("share of the total, {}", in_density(density)), None),
-            (None, None) if rest == 0.0 => (0.0, "its parts' own substances".to_owned(), None),
+            (None, Some(density)) => {
+                let words = format!("share of the total, {}", in_density(density));
+                (Amount::Density(density), words, None)
+            }
+            (None, None) if rest == 0.0 => {
+                (Amount::Density(0.0), "its parts' own substances".to_owned(), None)
+            }
             (None, None) => {
                 let Some((mass, kept)) = kept(model, solid.link) else {
-                    return Err(
-                        "it has no mass: give its density or mass by --density, --material, --part or --mass"
-                            .to_owned(),
-                    );
+                    let why =
+                        "it has no mass: give its density or mass by --density, --material, --part or --mass";
+                    return Err(why.to_owned());
                 };
-                (of_rest(mass, known, rest)?, "kept".to_owned(), Some(kept))
+                (remainder(mass, known, rest)?, "kept".to_owned(), Some(kept))
             }
         };
         let body = |(piece, own): (&SolidPiece, &Option<Substance>)| {
-            let mass = mass_of((piece, own)).unwrap_or(density * piece.volume.volume);
-            of_volume(&piece.volume, mass)
+            let volume = piece.volume.volume;
+            let rest = || match amount {
+                Amount::Density(density) => density * volume,
+                Amount::Mass(mass) => mass * (volume / rest),
+            };
+            of_volume(&piece.volume, mass_of((piece, own)).unwrap_or_else(rest))
         };
         let bodies = pieces.iter().zip(&own).map(body).collect::<Result<Vec<_>, _>>();
         let properties =
@@ -228,11 +234,20 @@ fn mass(substance: Substance, piece: &SolidPiece) -> f64 {
     }
 }
 
-/// Returns the density of the rest of a link with a given mass, kg/m³.
-fn of_rest(mass: f64, known: f64, rest: f64) -> Result<f64, String> {
+/// Amount of the pieces without their own substance.
+#[derive(Clone, Copy)]
+enum Amount {
+    /// Density, kg/m³.
+    Density(f64),
+    /// Mass of all of them, kg.
+    Mass(f64),
+}
+
+/// Returns what a given mass leaves for the rest of a link.
+fn remainder(mass: f64, known: f64, rest: f64) -> Result<Amount, String> {
     let left = mass - known;
     if rest > 0.0 && left > 0.0 {
-        return Ok(left / rest);
+        return Ok(Amount::Mass(left));
     }
     let [mass, known] = [mass, known].map(|mass| number(mass, 6));
     Err(match rest > 0.0 {

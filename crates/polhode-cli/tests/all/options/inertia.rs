@@ -43,6 +43,7 @@ const MESHES: &[&str] = &[
 ];
 /// Inputs for the options of the substance; a shape has no other.
 const SUBSTANCES: &[&str] = &[
+    "inertials",
     "parts",
     "stl",
     "unnamed",
@@ -59,6 +60,7 @@ const SUBSTANCES: &[&str] = &[
 /// Inputs for shapes: with a mass, and without a substance.
 const SHAPES: &[&str] = &["shape", "bare shape"];
 const NAMED: &[&str] = &[
+    "inertials",
     "parts",
     "unnamed",
     "torn",
@@ -94,6 +96,8 @@ static INERTIA: Subcommand = Subcommand {
         ("cad", &["report.txt"]),
         ("molecule", &["water.xyz"]),
         ("robot", &["arm.urdf"]),
+        ("inertials", &["arm.urdf"]),
+        ("inertials again", &["arm.urdf"]),
         ("grid", &["grid.npy"]),
         ("shape", &["--mass", "85 g"]),
         ("bare shape", &[]),
@@ -152,6 +156,14 @@ static INERTIA: Subcommand = Subcommand {
             &["again", "torn again", "holed again", "again unnamed"],
             &["--write-mesh"],
         ),
+        choice(
+            "--write-inertials",
+            &["--write-inertials", "new.urdf"],
+            &["inertials", "robot"],
+            &["+--density"],
+        ),
+        choice("--only", &["--only", "missing"], &["inertials", "robot"], &["--write-inertials"]),
+        choice("--geometry", &["--geometry", "visual"], &["inertials", "robot"], &["--write-inertials"]),
         choice("--unit", &["--unit", "mm"], MESHES, &[]),
         choice("--mass-unit", &["--mass-unit", "g"], &["particles", "cad"], &["--unit"]),
         choice("--isotopes", &["--isotopes", "average"], &["molecule"], &[]),

@@ -160,7 +160,7 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             let rocket = crate::common::example("budget/sounding-rocket.xlsx");
             fs::copy(rocket, scratch.0.join("sounding-rocket.xlsx")).unwrap();
         }
-        "robot" => {
+        "robot" | "inertials" | "inertials again" => {
             fs::copy(crate::common::example("robots/arm.urdf"), scratch.0.join("arm.urdf")).unwrap();
         }
         "noted" | "flawed" | "flawed again" => {

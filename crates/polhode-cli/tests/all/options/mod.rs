@@ -128,8 +128,17 @@ impl Runs {
         let needs: Vec<&str> = a.needs.iter().copied().filter(|name| !name.starts_with('+')).collect();
         // --force applies to every output file.
         let writes = a.option == "--force"
-            && ["--output", "--html", "--plot", "--write-baseline", "--write-mesh", "--scenario", "--sweep"]
-                .contains(&b.option);
+            && [
+                "--output",
+                "--html",
+                "--plot",
+                "--write-baseline",
+                "--write-mesh",
+                "--write-inertials",
+                "--scenario",
+                "--sweep",
+            ]
+            .contains(&b.option);
         let helps = writes || needs.iter().any(|name| *name == b.option || b.needs.contains(name));
         let input = b.inputs.iter().find(|input| a.inputs.contains(input)).or(b.inputs.first());
         let (false, false, Some(input)) = (needs.is_empty(), helps, input) else { return None };

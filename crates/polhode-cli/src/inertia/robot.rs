@@ -129,8 +129,15 @@ pub(super) fn write_inertials(
     output: &OutputFlags,
     force: bool,
 ) -> Option<Result<(), CommandFailure>> {
-    let out = flags.write_inertials.as_ref()?.as_deref();
-    Some(written(request, flags, output, out, force))
+    match (&flags.write_inertials, flags.options.given()) {
+        (Some(out), _) => Some(written(request, flags, output, out.as_deref(), force)),
+        // clap does not check what an option requires if that conflicts with another option.
+        (None, Some(option)) => {
+            let message = format!("{option} is only for --write-inertials");
+            Some(Err(CommandFailure::usage(message, "add --write-inertials, or leave it out")))
+        }
+        (None, None) => None,
+    }
 }
 
 fn written(

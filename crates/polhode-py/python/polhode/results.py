@@ -28,6 +28,7 @@ from ._identified import (
     TumbleResult,
     Unconstrained,
 )
+from ._inertials import LinkInertial, WrittenInertials
 from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading
 from ._mass_derivatives import BodyDerivatives, MeshDerivatives, ParticleDerivatives
 from ._mass_properties import Finding
@@ -72,6 +73,7 @@ __all__ = [
     "Flights",
     "Judgement",
     "LeftOut",
+    "LinkInertial",
     "LinkRow",
     "LinkTable",
     "MeshDerivatives",
@@ -100,4 +102,5 @@ __all__ = [
     "Tumbling",
     "TumblingSpin",
     "Unconstrained",
+    "WrittenInertials",
 ]

@@ -47,18 +47,23 @@ pub struct InertialsRequest {
 pub struct InertialsOptions {
     /// With --write-inertials, only links without an inertial, or whose inertial is suspect or
     /// impossible.
-    #[cfg_attr(
-        feature = "arguments",
-        arg(long, value_enum, value_name = "WHICH", requires = "write_inertials")
-    )]
+    #[cfg_attr(feature = "arguments", arg(long, value_enum, value_name = "WHICH"))]
     pub only: Option<Only>,
     /// With --write-inertials, the geometry from which inertials are computed [default: the more
     /// detailed one that bounds a solid].
-    #[cfg_attr(
-        feature = "arguments",
-        arg(long, value_enum, value_name = "ROLE", requires = "write_inertials")
-    )]
+    #[cfg_attr(feature = "arguments", arg(long, value_enum, value_name = "ROLE"))]
     pub geometry: Option<Origin>,
+}
+
+impl InertialsOptions {
+    /// Returns the name of the first option that is set.
+    pub const fn given(&self) -> Option<&'static str> {
+        match self {
+            Self { only: Some(_), .. } => Some("--only"),
+            Self { geometry: Some(_), .. } => Some("--geometry"),
+            Self { only: None, geometry: None } => None,
+        }
+    }
 }
 
 /// Links that get an inertial.

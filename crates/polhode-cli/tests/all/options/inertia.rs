@@ -43,7 +43,6 @@ const MESHES: &[&str] = &[
 ];
 /// Inputs for the options of the substance; a shape has no other.
 const SUBSTANCES: &[&str] = &[
-    "inertials",
     "parts",
     "stl",
     "unnamed",
@@ -56,11 +55,11 @@ const SUBSTANCES: &[&str] = &[
     "holed unnamed",
     "parts overlapping",
     "bare shape",
+    "inertials",
 ];
 /// Inputs for shapes: with a mass, and without a substance.
 const SHAPES: &[&str] = &["shape", "bare shape"];
 const NAMED: &[&str] = &[
-    "inertials",
     "parts",
     "unnamed",
     "torn",
@@ -70,6 +69,7 @@ const NAMED: &[&str] = &[
     "holed again",
     "torn unnamed",
     "holed unnamed",
+    "inertials",
 ];
 
 static INERTIA: Subcommand = Subcommand {

@@ -1,8 +1,8 @@
 //! Inertials of a whole model from its geometry: mass, centre and tensor of each link, written into
 //! the model's text.
 //!
-//! - [`Request`]: which links, from which geometry, with which masses
-//! - [`run`]: reads the model, computes, edits, and reads and checks the result
+//! - [`InertialsRequest`]: choice of links, geometry and masses
+//! - [`write_inertials`]: reads the model, computes, edits, and reads and checks the result
 //! - [`Inertials`]: the links with the reason for each, the new text, and its diff
 //!
 //! A link keeps its mass unless the request states another one. Its solid is uniform unless parts

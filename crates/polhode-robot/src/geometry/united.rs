@@ -93,7 +93,7 @@ impl Shapes<'_> {
     /// # Errors
     /// Shapes that bound no solid, each with the reason in words: open meshes, planes, unreadable
     /// sizes or poses, meshes whose up axis is ambiguous. If shapes overlap and have no union, the
-    /// reason is about the first of them. Empty if there are no shapes.
+    /// reason is about the first of them. The list is empty if the link has no shapes.
     pub fn solid(&self, link: &Link, role: Role) -> Result<LinkSolid, Vec<(Span, String)>> {
         let shapes = link.geometry.iter().enumerate().filter(|(_, geometry)| geometry.role == role);
         let mut solid = LinkSolid { error: OF_PRIMITIVE, ..LinkSolid::default() };
@@ -160,6 +160,10 @@ impl Shapes<'_> {
         let mesh = self.mesh(path).map_err(named)?;
         if mesh.turned_in.is_some() {
             return Err(named("programs disagree on its up axis; export it as STL or OBJ".to_owned()));
+        }
+        if mesh.mixes_winding {
+            let why = "some of its parts are wound inward: put a cavity into the part that it is in";
+            return Err(named(why.to_owned()));
         }
         solid.triangles += mesh.usual.triangles().len();
         solid.error = solid.error.max(OF_MESH);

@@ -1,4 +1,4 @@
-//! Numbers of an inertial as text, each with as many digits as it is worth.
+//! Numbers of an inertial as text, each with the digits that its error leaves.
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
@@ -19,7 +19,7 @@ pub(super) struct Digits {
 /// Mass, centre and tensor of an inertial as text.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct InertialDigits {
-    /// Mass, kg.
+    /// Mass in kg.
     pub(super) mass: Digits,
     /// Centre of mass in the link's frame, m.
     pub(super) center: [Digits; 3],

@@ -17,7 +17,7 @@ pub struct Inertials {
     pub links: Vec<LinkOutcome>,
     /// Path of the output, if it is written.
     pub out: Option<PathBuf>,
-    /// New text.
+    /// New text of the model, with its edits.
     pub(super) edited: Repaired,
     /// Model with the new inertials.
     pub(super) after: RobotModel,

@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct InertialsRequest {
-    /// Model.
+    /// Path of the model.
     pub file: PathBuf,
     /// Folders that hold packages, for package:// and model://.
     #[serde(rename = "root")]
@@ -45,12 +45,12 @@ pub struct InertialsRequest {
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct InertialsOptions {
-    /// With --write-inertials, only links without an inertial, or whose inertial is suspect or
-    /// impossible.
+    /// Links that --write-inertials writes: those without an inertial, or with a suspect or
+    /// impossible finding.
     #[cfg_attr(feature = "arguments", arg(long, value_enum, value_name = "WHICH"))]
     pub only: Option<Only>,
-    /// With --write-inertials, the geometry from which inertials are computed [default: the more
-    /// detailed one that bounds a solid].
+    /// Geometry from which --write-inertials computes [default: the more detailed one that bounds a
+    /// solid].
     #[cfg_attr(feature = "arguments", arg(long, value_enum, value_name = "ROLE"))]
     pub geometry: Option<Origin>,
 }

@@ -59,7 +59,7 @@ impl Places {
 ///
 /// # Errors
 /// [`Failure`] if the model cannot be read or edited, if the request contradicts itself, or if a
-/// name matches nothing. Links without an inertial are no failure; [`Inertials::links`] has them.
+/// name matches nothing. [`Inertials::links`] lists the links that get no inertial.
 pub fn write_inertials(request: &InertialsRequest, files: &dyn Files) -> Result<Inertials, Failure> {
     polhode_source::file::require_folders(files, &request.roots)?;
     let reading = ReadOptions { files, roots: request.roots.clone(), ..ReadOptions::default() };

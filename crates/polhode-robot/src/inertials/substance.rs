@@ -237,7 +237,7 @@ fn mass(substance: Substance, piece: &SolidPiece) -> f64 {
 /// Amount of the pieces without their own substance.
 #[derive(Clone, Copy)]
 enum Amount {
-    /// Density, kg/m³.
+    /// Density of each piece, kg/m³.
     Density(f64),
     /// Mass of all of them, kg.
     Mass(f64),
@@ -262,8 +262,7 @@ fn in_density(density: f64) -> String {
     format!("{} kg/m³", number(density, 6))
 }
 
-/// Returns the mass that stands in a model, kg, and its text; or the mass that the language
-/// computes.
+/// Returns the mass that a model states, kg, and its text; or the mass that the language computes.
 fn kept(model: &RobotModel, link: &Link) -> Option<(f64, Digits)> {
     if let Some(Ok(computed)) = &link.computed {
         let mass = Some(computed.mass).filter(|mass| *mass > 0.0)?;

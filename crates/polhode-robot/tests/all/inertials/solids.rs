@@ -24,11 +24,14 @@ fn write(geometry: &[String], origin: Option<Origin>) -> Inertials {
         .replace("v 0.1 ", "v 0.3 ")
         .replace("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", "f 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n");
     let twice = format!("g one\n{}g two\n{second}", wedge());
+    // A cavity as a part of its own, with inward normals.
+    let hollow = twice.replace("f 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8", "f 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7");
     let files = Memory::from([
         ("r.urdf", &urdf(&geometry.concat())),
         ("wedge.obj", &wedge()),
         ("open.obj", &open),
         ("twice.obj", &twice),
+        ("hollow.obj", &hollow),
     ]);
     let mut request = request("r.urdf", &[]);
     request.substance.density = Some("1000 kg/m^3".parse().unwrap());
@@ -194,6 +197,8 @@ fn parts_of_a_mesh_that_overlap_count_once() {
     let (one, twice) = (write(&[mesh("wedge.obj")], None), write(&[mesh("twice.obj")], None));
     let [one, twice] = [&one, &twice].map(|inertials| of(inertials, "a").properties.mass());
     assert!(twice > 1.01 * one && twice < 1.9 * one, "{one} {twice}");
+    let why = write(&[mesh("hollow.obj")], None);
+    assert!(why_not(&why, "a").contains("wound inward"), "{}", why_not(&why, "a"));
     // The same mesh twice, and mirrored.
     let inertials = write(&[mesh("wedge.obj"), mesh("wedge.obj")], None);
     near(of(&inertials, "a").properties.mass(), one, 1e-12);

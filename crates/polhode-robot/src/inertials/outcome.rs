@@ -42,14 +42,14 @@ pub enum Outcome {
     Written(Box<Written>),
     /// The link has no geometry of the requested kind; a frame needs no inertial.
     NoGeometry {
-        /// True if the link was chosen by its name and has no inertial.
+        /// True if the link was chosen by its name and has no usable inertial.
         is_missed: bool,
     },
     /// The inertial is not written.
     NotWritten {
         /// Reason in words.
         why: String,
-        /// True if the link had a complete inertial before, which is kept.
+        /// True if the link had a usable inertial before, which is kept.
         had_inertial: bool,
     },
 }

@@ -80,7 +80,7 @@ pub fn write_inertials(request: &InertialsRequest, files: &dyn Files) -> Result<
     let mut solids: Vec<(usize, Weighed<'_>)> = Vec::new();
     for (k, chosen) in measured {
         let Some(link) = model.links.get(k) else { continue };
-        let had_inertial = has_inertial(link);
+        let had_inertial = is_usable(&model, link);
         match chosen {
             Ok(chosen) => solids.push((k, Weighed { link, chosen })),
             Err(Unusable::NoGeometry) => {
@@ -99,7 +99,7 @@ pub fn write_inertials(request: &InertialsRequest, files: &dyn Files) -> Result<
     let substances = Substances::of(&model, request, &solids, unusable)?;
     let places = Places::of(&model)?;
     for (k, solid) in numbers.into_iter().zip(solids) {
-        let had_inertial = has_inertial(solid.link);
+        let had_inertial = is_usable(&model, solid.link);
         let made = require_own(&model, solid.link)
             .and_then(|()| substances.body(&model, &solid))
             .and_then(|body| made(&model, &places, &solid, body));
@@ -119,6 +119,11 @@ pub fn write_inertials(request: &InertialsRequest, files: &dyn Files) -> Result<
     let links = outcomes.into_iter().filter_map(outcome).collect();
     let has_total = request.substance.mass.is_some();
     Ok(Inertials { links, out: None, edited, after, has_total, model })
+}
+
+/// Returns true if a link states mass properties that a body can have.
+fn is_usable(model: &RobotModel, link: &Link) -> bool {
+    has_inertial(link) && matches!(link_mass(model.format, link), Ok(LinkMass::Body(_)))
 }
 
 /// Refuses a format without shapes that bound solids.
@@ -196,7 +201,7 @@ fn proved(
         }
         for (k, why) in withdrawn {
             ready.remove(&k);
-            let had_inertial = model.links.get(k).is_some_and(has_inertial);
+            let had_inertial = model.links.get(k).is_some_and(|link| is_usable(model, link));
             outcomes.insert(k, Outcome::NotWritten { why, had_inertial });
         }
     }

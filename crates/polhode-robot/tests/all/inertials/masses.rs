@@ -131,7 +131,7 @@ fn refused(text: &str, change: impl FnOnce(&mut InertialsRequest)) -> Failure {
 fn options_that_contradict_are_refused() {
     let parts = |parts: &'static [&'static str]| {
         move |request: &mut InertialsRequest| {
-            request.part = parts.iter().map(|part| part.parse().unwrap()).collect()
+            request.part = parts.iter().map(|part| part.parse().unwrap()).collect();
         }
     };
     let message = |failure: Failure| failure.message();
@@ -172,11 +172,17 @@ fn a_named_link_without_geometry_fails() {
     let mut request = request("r.urdf", &[]);
     request.link = Some("tool".to_owned());
     assert!(write_inertials(&request, &files).unwrap().has_failed());
-    request.link = Some("arm_2".to_owned());
-    request.options.geometry = Some(Origin::Visual);
+    request.link = Some("arm_?".to_owned());
+    request.options.geometry = Some(Origin::Collision);
+    request.options.only = None;
     let inertials = write_inertials(&request, &files).unwrap();
-    assert_eq!(why_not(&inertials, "arm_2"), "no geometry");
-    // It keeps the inertial that it has.
+    // The first link keeps the inertial that it has.
+    assert_eq!(why_not(&inertials, "arm_1"), "no geometry");
     assert!(!inertials.has_failed());
+    request.part = vec!["arm_2=500 g/cm^3".parse().unwrap()];
+    let inertials = write_inertials(&request, &files).unwrap();
+    assert!(why_not(&inertials, "arm_2").contains("density.implausible"), "{}", inertials.to_text(None));
+    // The second link has none that a body can have.
+    assert!(inertials.has_failed());
     assert_eq!(inertials.text(), ROBOT);
 }

@@ -3,6 +3,7 @@
 mod masses;
 mod rebuilt;
 mod robot;
+mod samples;
 mod solids;
 mod texts;
 

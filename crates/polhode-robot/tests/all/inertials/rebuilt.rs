@@ -35,9 +35,9 @@ fn require_exact(inertials: &Inertials, files: &Memory, links: &[Link], prefix: 
             tensor.as_flattened().iter().fold(0.0, |m: f64, x| m.max(x.abs())),
         );
         assert!((body.mass() / mass - 1.0).abs() < tolerance, "{name}: {} {mass}", body.mass());
-        for k in 0..3 {
-            let off = (body.center_of_mass().to_array()[k] - center[k]).abs();
-            assert!(off < tolerance * (size + center[k].abs()), "{name}: {off:e}");
+        for (own, exact) in body.center_of_mass().to_array().iter().zip(center) {
+            let off = (own - exact).abs();
+            assert!(off < tolerance * (size + exact.abs()), "{name}: {off:e}");
         }
         for (own, exact) in body.inertia().matrix().as_flattened().iter().zip(tensor.as_flattened()) {
             assert!((own - exact).abs() < tolerance * norm, "{name}: {own} {exact}");

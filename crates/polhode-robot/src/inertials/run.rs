@@ -98,9 +98,11 @@ pub fn write_inertials(request: &InertialsRequest, files: &dyn Files) -> Result<
     let (numbers, solids): (Vec<usize>, Vec<Weighed<'_>>) = solids.into_iter().unzip();
     let substances = Substances::of(&model, request, &solids, unusable)?;
     let places = Places::of(&model)?;
+    let mut counts: HashMap<usize, usize> = HashMap::new();
+    model.links.iter().for_each(|link| *counts.entry(link.span.start).or_default() += 1);
     for (k, solid) in numbers.into_iter().zip(solids) {
         let had_inertial = is_usable(&model, solid.link);
-        let made = require_own(&model, solid.link)
+        let made = require_own(&model, solid.link, &counts)
             .and_then(|()| substances.body(&model, &solid))
             .and_then(|body| made(&model, &places, &solid, body));
         match made {
@@ -135,14 +137,15 @@ fn require_writable(model: &RobotModel) -> Result<(), Failure> {
     Err(Failure::usage(message, "convert the model to URDF, SDF, MJCF or USD").in_file(&model.path))
 }
 
-/// Refuses a link whose element is in another file, or stands for several links.
-fn require_own(model: &RobotModel, link: &Link) -> Result<(), String> {
+/// Refuses a link whose element is in another file, or stands for several links; `counts` has the
+/// number of links by the first byte of their element.
+fn require_own(model: &RobotModel, link: &Link, counts: &HashMap<usize, usize>) -> Result<(), String> {
     if model.is_included(&link.span) {
         return Err("it is in an included file; write that file".to_owned());
     }
-    match model.links.iter().filter(|other| other.span == link.span).count() {
-        0 | 1 => Ok(()),
-        count => Err(format!("the model makes {count} links of its element")),
+    match counts.get(&link.span.start) {
+        None | Some(1) => Ok(()),
+        Some(count) => Err(format!("the model makes {count} links of its element")),
     }
 }
 

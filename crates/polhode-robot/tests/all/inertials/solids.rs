@@ -124,7 +124,7 @@ fn boxes_that_overlap_count_once() {
     let inertials = write(
         &[
             boxes[0].clone(),
-            shape("visual", "0.25 0 0", "<cylinder radius=\"0.05\" length=\"0.1\"/>"),
+            shape("visual", "0.15 0 0", "<cylinder radius=\"0.05\" length=\"0.1\"/>"),
             shape("visual", "-0.2 0 0", "<box size=\"0.2 0.1 0.1\"/>"),
         ],
         None,

@@ -1,5 +1,8 @@
 //! Solids of links: which geometry is used, and regions that belong to several shapes.
 
+use std::fs;
+use std::path::Path;
+
 use polhode_document::Report as _;
 use polhode_robot::inertials::{Inertials, Origin, write_inertials};
 use polhode_robot::model::Role;
@@ -26,13 +29,15 @@ fn write(geometry: &[String], origin: Option<Origin>) -> Inertials {
     let twice = format!("g one\n{}g two\n{second}", wedge());
     // A cavity as a part of its own, with inward normals.
     let hollow = twice.replace("f 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8", "f 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7");
-    let files = Memory::from([
+    let mut files = Memory::from([
         ("r.urdf", &urdf(&geometry.concat())),
         ("wedge.obj", &wedge()),
         ("open.obj", &open),
         ("twice.obj", &twice),
         ("hollow.obj", &hollow),
     ]);
+    let bracket = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/meshes/bracket.glb");
+    files.insert("bracket.glb", fs::read(bracket).unwrap());
     let mut request = request("r.urdf", &[]);
     request.substance.density = Some("1000 kg/m^3".parse().unwrap());
     request.options.geometry = origin;
@@ -83,6 +88,12 @@ fn the_more_detailed_solid_is_used() {
     assert!(inertials.has_failed());
     let inertials = write(&[shape("visual", "0 0 0", "<mesh filename=\"missing.obj\"/>")], None);
     assert!(why_not(&inertials, "a").contains("does not exist"), "{}", why_not(&inertials, "a"));
+    let inertials = write(&[shape("visual", "0 0 0", "<mesh filename=\"bracket.glb\"/>")], None);
+    assert!(
+        why_not(&inertials, "a").contains("programs disagree on its up axis"),
+        "{}",
+        why_not(&inertials, "a")
+    );
     let inertials = write(&[shape("visual", "0 0 nan", "<box size=\"1 1 1\"/>")], None);
     assert!(why_not(&inertials, "a").contains("its pose has \"nan\""), "{}", why_not(&inertials, "a"));
 }

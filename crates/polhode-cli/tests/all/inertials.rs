@@ -43,7 +43,7 @@ fn the_diff_comes_first() {
     assert_eq!(lines[1], "# r.urdf:2: base: 3 kg (500 kg/m³), 0.006 m³ of collision: 1 shape; no visual");
     assert_eq!(
         lines[2],
-        "# r.urdf:5: wedge: 0.5 kg (kept), 0.001 m³ of visual: 1 shape, closed meshes of 4 triangles; no collision"
+        "# r.urdf:5: wedge: 0.5 kg (kept), 0.001 m³ of visual: 1 shape (4 triangles, closed); no collision"
     );
     assert_eq!(lines[3..5], ["--- a/r.urdf", "+++ b/r.urdf"]);
     assert!(diff.contains("\n+      <mass value=\"3\"/>\n"), "{diff}");

@@ -15,7 +15,7 @@ const SAME: f64 = 1e-9;
 pub(super) struct Chosen {
     pub(super) solid: LinkSolid,
     pub(super) role: Role,
-    /// Reason, to follow the name of the role: `closed mesh of 320 triangles; no collision`.
+    /// Reason, to follow the name of the role: `1 shape (320 triangles, closed); no collision`.
     pub(super) reason: String,
 }
 
@@ -123,11 +123,11 @@ fn shapes(solid: &LinkSolid) -> usize {
     all.len()
 }
 
-/// Returns a solid in words: `2 shapes, closed meshes of 1280 triangles, 3.2 % overlap counted once`.
+/// Returns a solid in words: `2 shapes (1280 triangles, closed), overlaps of 3.2 % counted once`.
 fn described(solid: &LinkSolid) -> String {
     let mut words = counted(shapes(solid), "shape");
     if solid.triangles > 0 {
-        words += &format!(", closed meshes of {}", counted(solid.triangles, "triangle"));
+        words += &format!(" ({}, closed)", counted(solid.triangles, "triangle"));
     }
     if solid.shared > 0.0 {
         let percent = number(100.0 * solid.shared / solid.volume(), 2);

@@ -58,12 +58,12 @@ fn the_more_detailed_solid_is_used() {
         (
             vec![mesh("visual"), cube("collision")],
             Role::Visual,
-            "closed meshes of 4 triangles; collision is coarser, with ",
+            "(4 triangles, closed); collision is coarser, with ",
         ),
         (
             vec![cube("visual"), mesh("collision")],
             Role::Collision,
-            "closed meshes of 4 triangles; visual is coarser, with ",
+            "(4 triangles, closed); visual is coarser, with ",
         ),
         (vec![cube("visual"), cube("collision")], Role::Visual, "1 shape; collision is the same solid"),
         (

@@ -1,7 +1,5 @@
 //! `polhode check`
 
-mod outputs;
-
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -17,11 +15,11 @@ use polhode_source::files::Disk;
 use polhode_source::shown;
 
 use crate::failure::Failure;
+use crate::outputs::Outputs;
 use crate::partial;
 use crate::progress::FileProgress;
 use crate::stderr::tell;
 use crate::stdout::{print, print_exact};
-use outputs::Outputs;
 
 /// Check the inertias of a robot or simulation model: URDF, SDF, MJCF, USD, OpenSim.
 ///

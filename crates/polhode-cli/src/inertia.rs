@@ -9,7 +9,7 @@ mod robot;
 use std::io::Write as _;
 use std::path::Path;
 
-use clap::Args;
+use clap::{ArgGroup, Args};
 use polhode_scenario::read::ScenarioFile;
 use polhode_scenario::report::exact_tensor;
 use polhode_scenario::symbolic::Exact;
@@ -35,7 +35,7 @@ use crate::stdout::print;
 /// The tensor is about the centre of mass, along body axes; its off-diagonal elements are minus the
 /// integrals, I_xy = -∫xy dm.
 #[derive(Debug, Args)]
-#[command(after_help = ["\
+#[command(group = ArgGroup::new("written").args(robot::OUTPUTS).multiple(true), after_help = ["\
 Examples:
   polhode inertia bracket.stl --unit mm --material aluminium
   polhode inertia bracket.stl --unit mm --mass \"85 g\" --about \"0,0,12 mm\" --json
@@ -48,8 +48,8 @@ Examples:
 pub(crate) struct Inertia {
     #[command(flatten)]
     request: Request,
-    /// Replace an existing output file of --write-mesh.
-    #[arg(long, requires = "write_mesh", conflicts_with = "shell")]
+    /// Replace an existing output file of --write-mesh or --write-inertials; never the model itself.
+    #[arg(long, requires = "written", conflicts_with = "shell")]
     force: bool,
     /// Also print the tensor of a scenario in exact formulas of its [symbols], step by step.
     #[arg(long, conflicts_with_all = ["json", "csv", "as_format"])]
@@ -64,6 +64,9 @@ impl Inertia {
     pub(crate) fn run(self) -> Result<(), Failure> {
         if let Some(file) = &self.request.mesh.write_mesh {
             page::check_file(file, self.force)?;
+        }
+        if let Some(done) = robot::write_inertials(&self.request, &self.robot, &self.output, self.force) {
+            return done;
         }
         let mut host = Command { robot: &self.robot, files: None, samples: None };
         let steps = if self.symbols { self.in_symbols(&host)? } else { String::new() };

@@ -30,6 +30,8 @@ mod live;
 #[cfg(feature = "mcp")]
 mod mcp;
 mod new;
+#[cfg(feature = "robot")]
+mod outputs;
 mod page;
 mod partial;
 mod plot;

@@ -116,7 +116,7 @@ mod _native {
     use crate::required::required_torque;
     #[cfg(feature = "robot")]
     #[pymodule_export]
-    use crate::robot::{is_robot, robot_file, robot_groups, robot_links, robot_table};
+    use crate::robot::{is_robot, robot_file, robot_groups, robot_inertials, robot_links, robot_table};
     #[pymodule_export]
     use crate::rotation::{quaternion_of_text, quaternions_of_matrices};
     #[pymodule_export]

@@ -2,8 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use polhode_document::Report as _;
 use polhode_robot::LinkError;
 use polhode_robot::inertia::{of_link, of_lumps};
+use polhode_robot::inertials::{InertialsRequest, write_inertials};
 use polhode_robot::line_index::{FilePlace, Places};
 use polhode_robot::link_table::LinkTable;
 use polhode_robot::lump::{Lumping, slides};
@@ -15,6 +17,7 @@ use polhode_source::read_file;
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
 use pyo3::prelude::*;
+use serde_json::Value;
 
 use crate::error::{PolhodeError, Raise, refused};
 use crate::finding::{Remark, remarks};
@@ -137,4 +140,20 @@ pub(crate) fn is_robot(py: Python<'_>, path: PathBuf) -> PyResult<bool> {
         Ok(is_text && format_of(&String::from_utf8_lossy(bytes)).is_some())
     };
     py.detach(|| read_file(&Disk, &path, is_robot)).map_err(Raise::raise)
+}
+
+/// Computes the inertials of a robot's links from their geometry. `request` is an
+/// [`InertialsRequest`] as JSON. Returns the new text of the model, the report as JSON and as text,
+/// and true if a link is left without an inertial.
+#[pyfunction]
+pub(crate) fn robot_inertials(py: Python<'_>, request: &str) -> PyResult<(String, String, String, bool)> {
+    py.detach(|| {
+        let value: Value = serde_json::from_str(request).map_err(|error| refused(error, None))?;
+        // From a value, errors have no line and column of the JSON text.
+        let request: InertialsRequest =
+            serde_json::from_value(value).map_err(|error| refused(error, None))?;
+        let inertials = write_inertials(&request, &Disk).map_err(Raise::raise)?;
+        let report = inertials.to_json().to_string();
+        Ok((inertials.text().to_owned(), report, inertials.to_text(None), inertials.has_failed()))
+    })
 }

@@ -73,7 +73,7 @@ NEVER: list[Any] = [
 ]
 
 #: Arguments that take such a thing all the same: folders and torques may come from a generator, and a class is a function.
-TAKEN = {("check", "roots"), ("compare", "roots"), ("Ensemble", "torques"), ("Ensemble", "wheels"), ("Ensemble", "events"), ("Ensemble", "orbit"), ("Ensemble.from_scenarios", "scenarios")}
+TAKEN = {("check", "roots"), ("compare", "roots"), ("write_inertials", "roots"), ("Ensemble", "torques"), ("Ensemble", "wheels"), ("Ensemble", "events"), ("Ensemble", "orbit"), ("Ensemble.from_scenarios", "scenarios")}
 
 
 def functions() -> dict[Callable[..., object], dict[str, Any]]:
@@ -98,6 +98,10 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         polhode.check: {"path": ROOT / "examples" / "robots" / "arm.urdf", "roots": []},
         polhode.compare: {"a": ROOT / "examples" / "robots" / "arm.urdf", "b": ROOT / "examples" / "robots" / "arm.xml", "tolerance": 1e-5, "map": None, "roots": []},
         polhode.fixed_groups: {"path": ROOT / "examples" / "robots" / "arm.urdf"},
+        polhode.write_inertials: {
+            **{"path": ROOT / "examples" / "robots" / "arm.urdf", "density": 900.0, "parts": {"hand": "steel"}, "link": "h*"},
+            **{"only": "missing", "geometry": "collision", "roots": []},
+        },
         polhode.link_table: {"path": ROOT / "examples" / "robots" / "arm.urdf", "joints": {"elbow": 0.3}},
         polhode.Body: {"parts": {"a": body}},
         body.inertia_about: {"point": [1, 2, 3]},

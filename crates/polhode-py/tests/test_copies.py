@@ -187,6 +187,7 @@ def everything(tmp_path: Path) -> list[object]:
     events = [scenario.Event(name="slow", measure="omega", value=1.0, then="stop"), scenario.Event(measure="nutation", value=1.1)]
     watched = polhode.Ensemble(made[0], omega=omega, attitude=attitude, wheels=[scenario.Wheel(axis=[1, 2, 3], momentum=0.1)], events=events)
     links = polhode.link_table(EXAMPLES / "robots" / "arm.urdf", joints={"elbow": 0.3})
+    written = polhode.write_inertials(EXAMPLES / "robots" / "arm.urdf", material="oak")
     error = polhode.PolhodeError("radius is wrong", "repair it", "a.toml", 3, 7)
     judged = [judgement(with_omega) for with_omega in (True, False)]
     with pytest.warns(polhode.PolhodeWarning) as heard:
@@ -224,6 +225,9 @@ def everything(tmp_path: Path) -> list[object]:
         links,
         links.rows[3],
         links.rows[-1],
+        written,
+        written.links[0],
+        written.links[-1],
         *(motion.events[0] for motion in moved if motion.events),
         *(motion.ending for motion in moved),
         *(motion.error for motion in moved if motion.error),

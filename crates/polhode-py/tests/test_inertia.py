@@ -323,6 +323,41 @@ def test_what_hangs_from_a_link_and_what_follows_a_joint(examples: Path) -> None
     assert (error.value.path, error.value.line) == (str(gripper), 44)
 
 
+def test_inertials_of_a_robot_are_written_from_its_geometry(tmp_path: Path) -> None:
+    box = '<geometry><box size="0.2 0.3 0.5"/></geometry>'
+    old = '<inertial><mass value="1.7"/><inertia ixx="3" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+    path = tmp_path / "r.urdf"
+    path.write_text(
+        f'<robot name="r"><link name="base">{old}<visual><origin xyz="0.1 0 0"/>{box}</visual></link><link name="tip"><collision name="cap">{box}</collision>'
+        '</link><joint name="j" type="fixed"><parent link="base"/><child link="tip"/></joint></robot>'
+    )
+    written = polhode.write_inertials(path)
+    base, tip = written
+    assert (base.mass, base.mass_by, base.geometry, base.reason) == (1.7, "kept", "visual", "1 shape; no collision")
+    tensor = 1.7 / 12 * np.diag([0.09 + 0.25, 0.04 + 0.25, 0.04 + 0.09])
+    assert np.allclose(base.inertia, tensor, rtol=1e-14, atol=0) and np.allclose(base.center_of_mass, [0.1, 0, 0], rtol=1e-15, atol=0)
+    assert tip.mass is None and tip.why_not is not None and "by density, material, parts or mass" in tip.why_not
+    assert not written.ok and written[1:] == [tip] and written["tip"] == tip and repr(written).endswith("r.urdf': 1 of 2 links)")
+    assert "--" not in str(written) and "+++ b/" in written.diff and "1.7 kg (kept)" in str(written)
+    written = polhode.write_inertials(path, parts={"tip/cap": {"density": "2 g/cm^3"}, "b*": {"mass": 0.9}})
+    assert written.ok and np.isclose(written["tip"].mass, 60.0, rtol=1e-14) and written["base"].mass == 0.9
+    path.with_name("new.urdf").write_text(written.text)
+    assert polhode.check(path.with_name("new.urdf")).ok and np.isclose(polhode.link_table(path.with_name("new.urdf")).whole.mass, 60.9, rtol=1e-14)
+    assert [link.link for link in polhode.write_inertials(path, only="missing", density=900)] == ["tip"]
+    share = polhode.write_inertials(path, mass="6 kg")
+    assert [link.mass for link in share] == [3.0, 3.0] and share.to_dict()["links"][1]["mass_by"] == "share of the total, 100 kg/m³"
+    for options, says in (
+        ({"link": "bsae"}, "did you mean base"),
+        ({"parts": {"tip/cpa": "steel"}}, "did you mean tip/cap"),
+        ({"parts": {"tip": "stel"}}, "no such material"),
+        ({"only": "bad"}, "must be one of missing"),
+        ({"density": 900.0, "mass": 2.0}, "contradict each other"),
+        ({"parts": {"*": {"mass": 2.0}}}, "one mass to 2 links"),
+    ):
+        with pytest.raises(polhode.PolhodeError, match=says):
+            polhode.write_inertials(path, **options)
+
+
 def test_groups_and_the_table_of_a_robot(examples: Path) -> None:
     arm = examples / "robots" / "arm.urdf"
     groups = polhode.fixed_groups(arm)

@@ -49,6 +49,7 @@ def test_what_is_equal_is_equal() -> None:
         (ensemble().at([0.0, 3.0]), ensemble().at([0.0, 3.0]), ensemble(0.5).at([0.0, 3.0])),
         (top(), copy.deepcopy(top()), polhode.simulate(ROOT / "examples" / "heavy-top.toml", times=[0.0, 0.25], error="cheap")),
         links(),
+        inertials(),
         judged(),
         plans(),
     ]
@@ -75,6 +76,11 @@ def plans() -> tuple[polhode.batch.Plan, ...]:
 def links() -> tuple[polhode.results.LinkTable, ...]:
     arm = ROOT / "examples" / "robots" / "arm.urdf"
     return polhode.link_table(arm), polhode.link_table(arm), polhode.link_table(arm, joints={"elbow": 0.3})
+
+
+def inertials() -> tuple[polhode.results.WrittenInertials, ...]:
+    arm = ROOT / "examples" / "robots" / "arm.urdf"
+    return polhode.write_inertials(arm), polhode.write_inertials(arm), polhode.write_inertials(arm, material="steel")
 
 
 def test_no_table_becomes_another_by_the_constructor_of_pandas() -> None:

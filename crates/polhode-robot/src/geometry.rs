@@ -16,9 +16,12 @@
 
 mod mesh;
 mod mesh_files;
+mod moments;
 mod outside;
+mod polyhedron;
 mod primitive;
 mod separation;
+mod united;
 
 use std::fmt;
 use std::path::Path;
@@ -37,6 +40,7 @@ use mesh_files::MeshFiles;
 use primitive::Primitive;
 
 pub use mesh_files::mesh_files;
+pub use united::{LinkSolid, SolidPiece};
 
 /// Volume and moments of one or several shapes, in the link's frame.
 #[derive(Clone, Debug, PartialEq)]

@@ -17,6 +17,7 @@
 //! - [`body`]: a link's mass properties in its own frame
 //! - [`mod@lump`]: links joined to one body, with joint values given by name
 //! - [`mod@inertia`]: reports of these bodies
+//! - [`mod@inertials`]: inertials of all links from their geometry, written into the model
 //! - [`link_table`]: table of all links and of the whole model
 //! - [`compare`]: two models of one robot, link by link
 //! - [`mod@remarks`]: the reader's notes about a link's mass properties
@@ -34,6 +35,7 @@ mod format;
 mod found;
 pub mod geometry;
 pub mod inertia;
+pub mod inertials;
 pub mod inspect;
 mod json;
 pub mod line_index;
@@ -77,3 +79,9 @@ pub const LINK_CHOICE_SCHEMA: &str = include_str!("../schema/link-choice.json");
 
 /// JSON schema of the report of a [`Checked`].
 pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
+
+/// JSON schema of an [`inertials::InertialsRequest`].
+pub const INERTIALS_REQUEST_SCHEMA: &str = include_str!("../schema/inertials-request.json");
+
+/// JSON schema of the report of [`inertials::Inertials`].
+pub const INERTIALS_REPORT_SCHEMA: &str = include_str!("../schema/inertials-report.json");

@@ -24,7 +24,7 @@ mod sdf;
 mod unread;
 mod urdf;
 mod uri;
-mod usd;
+pub(crate) mod usd;
 pub(crate) mod xml;
 
 use std::path::{Path, PathBuf};

@@ -131,10 +131,23 @@ fn repaired_but(model: &RobotModel, findings: &[Finding], failing: &BTreeSet<usi
             Err(why) => left.push(Left { finding: k, why }),
         }
     }
-    let text = edits.text(&model.text);
-    let edits: Vec<(Span, String)> =
-        edits.0.into_iter().map(|((start, end), new)| (start..end, new)).collect();
-    Repaired { text, applied, left, changes: edits.len(), edits }
+    Repaired::of(model, edits, applied, left)
+}
+
+impl Repaired {
+    fn of(model: &RobotModel, edits: Edits, applied: Vec<usize>, left: Vec<Left>) -> Self {
+        let text = edits.text(&model.text);
+        let edits: Vec<(Span, String)> =
+            edits.0.into_iter().map(|((start, end), new)| (start..end, new)).collect();
+        Self { text, applied, left, changes: edits.len(), edits }
+    }
+}
+
+/// Applies edits without findings to the model's own text; `None` if they overlap or do not fit it.
+pub(crate) fn edited(model: &RobotModel, edits: Vec<(Span, String)>) -> Option<Repaired> {
+    let mut own = Edits::default();
+    own.add(&model.text, &Repair { description: String::new(), edits }).ok()?;
+    Some(Repaired::of(model, own, Vec::new(), Vec::new()))
 }
 
 /// Edits that do not overlap, by start and end of the replaced bytes.

@@ -5,6 +5,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use polhode_shape::Request;
 use polhode_shape::report::InertiaReport;
 
 use polhode_source::Failure;
@@ -14,6 +15,9 @@ use crate::failure::Failure as CommandFailure;
 
 /// Lines for the examples in the help; none in this build.
 pub(super) const EXAMPLES: &str = "";
+
+/// Options that write files.
+pub(super) const OUTPUTS: [&str; 1] = ["write_mesh"];
 
 /// Flags for robot models: none.
 #[derive(Debug, Args)]
@@ -49,6 +53,16 @@ fn first_character(path: &Path) -> Option<u8> {
 pub(super) fn reports(_: &Path, _: &RobotFlags) -> Result<Vec<InertiaReport>, Failure> {
     let hint = "install polhode with its default features, or build it with --features robot";
     Err(Failure::usage("this program was built without robot models", hint))
+}
+
+/// Writes no inertials, because `--write-inertials` is a flag of robot models.
+pub(super) const fn write_inertials(
+    _: &Request,
+    _: &RobotFlags,
+    _: &OutputFlags,
+    _: bool,
+) -> Option<Result<(), CommandFailure>> {
+    None
 }
 
 /// Prints no table of links, because `--table` is a flag of robot models.

@@ -30,6 +30,7 @@ mod identify_body;
 mod identify_next;
 mod identify_swing;
 mod inertia;
+mod inertials;
 mod interrupted;
 mod judge;
 mod judge_mistakes;

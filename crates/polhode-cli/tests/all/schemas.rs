@@ -41,6 +41,8 @@ fn schemas_are_strict() {
         polhode_robot::LINK_CHOICE_SCHEMA,
         polhode_robot::compare::REQUEST_SCHEMA,
         polhode_robot::compare::REPORT_SCHEMA,
+        polhode_robot::INERTIALS_REQUEST_SCHEMA,
+        polhode_robot::INERTIALS_REPORT_SCHEMA,
         polhode_shape::REQUEST_SCHEMA,
         polhode_shape::REPORT_SCHEMA,
         polhode_identify::REQUEST_SCHEMA,
@@ -109,6 +111,14 @@ fn requests_fit() {
         "a": "old.urdf", "b": "new.xml", "tolerance": "1e-4", "map": "names.toml", "root": ["packages"],
     });
     check_request::<polhode_robot::compare::Request>(polhode_robot::compare::REQUEST_SCHEMA, &full);
+    let full = json!({
+        "file": "arm.urdf", "root": ["src"], "link": "arm*", "only": "missing", "geometry": "collision",
+        "density": null, "mass": "12 kg", "material": null, "part": ["hand=1.2 kg", "hand/grip=steel"],
+    });
+    check_request::<polhode_robot::inertials::InertialsRequest>(
+        polhode_robot::INERTIALS_REQUEST_SCHEMA,
+        &full,
+    );
     let full = json!({ "plan": "plan.toml", "threads": 4 });
     check_request::<polhode_sweep::Request>(polhode_sweep::REQUEST_SCHEMA, &full);
     let full = json!({ "file": "top.toml", "at": ["0 s, 1 s", "2:3:0.5"], "error": true, "verbose": true });

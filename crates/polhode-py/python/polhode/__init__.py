@@ -16,7 +16,8 @@
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: parameter
   sweeps, on one machine or on clusters
 - :func:`check`: checks of the inertias of a robot model; :func:`compare`: comparison of two models;
-  :func:`link_table`, :func:`fixed_groups`: the links of a model as bodies
+  :func:`link_table`, :func:`fixed_groups`: the links of a model as bodies;
+  :func:`write_inertials`: inertials of its links from their geometry
 - :mod:`plot`: figures (requires Matplotlib); :func:`widget`: an interactive motion with sliders in
   a notebook
 - :mod:`polhode.results`: classes of what functions return
@@ -71,6 +72,7 @@ _HOMES = {
     "spins_from_periods": "_spin",
     "stability": "_stability",
     "widget": "_live",
+    "write_inertials": "_inertials",
 }
 
 __all__ = [
@@ -110,6 +112,7 @@ __all__ = [
     "spins_from_periods",
     "stability",
     "widget",
+    "write_inertials",
 ]
 
 if TYPE_CHECKING:
@@ -126,6 +129,7 @@ if TYPE_CHECKING:
     from ._free_motion import FreeMotion
     from ._identify import identify, identify_payload, identify_swings, identify_tumbles
     from ._inertia import inertia
+    from ._inertials import write_inertials
     from ._judge import judge
     from ._knob import Knob
     from ._live import widget
@@ -147,8 +151,8 @@ if TYPE_CHECKING:
         Ending as Ending, EnsembleStates as EnsembleStates, Equilibrium as Equilibrium, ErrorGrowth as ErrorGrowth,
         ErrorPart as ErrorPart, ErrorShare as ErrorShare, ErrorSplit as ErrorSplit, Estimate as Estimate,
         EventDerivatives as EventDerivatives, Explanation as Explanation, Failure as Failure, Finding as Finding,
-        FlightFit as FlightFit, Flights as Flights, Judgement as Judgement, LeftOut as LeftOut, LinkRow as LinkRow,
-        LinkTable as LinkTable, MeshDerivatives as MeshDerivatives, ModelFinding as ModelFinding, Motion as Motion,
+        FlightFit as FlightFit, Flights as Flights, Judgement as Judgement, LeftOut as LeftOut,
+        LinkInertial as LinkInertial, LinkRow as LinkRow, LinkTable as LinkTable, MeshDerivatives as MeshDerivatives, ModelFinding as ModelFinding, Motion as Motion,
         MotionError as MotionError, Number as Number, Oscillation as Oscillation,
         ParticleDerivatives as ParticleDerivatives, PayloadResult as PayloadResult,
         PrincipalEstimate as PrincipalEstimate, Reading as Reading, RequiredTorque as RequiredTorque,
@@ -156,6 +160,7 @@ if TYPE_CHECKING:
         SteadyOnGround as SteadyOnGround, SteadyRotation as SteadyRotation, Stop as Stop, SwingFit as SwingFit,
         SwingResult as SwingResult, Thin as Thin, TriedReading as TriedReading, TumbleResult as TumbleResult,
         Tumbling as Tumbling, TumblingSpin as TumblingSpin, Unconstrained as Unconstrained,
+        WrittenInertials as WrittenInertials,
     )
 
     Event = results.EventOccurrence

@@ -29,6 +29,7 @@ from ._identified import (
     TumbleResult,
     Unconstrained,
 )
+from ._inertials import LinkInertial, WrittenInertials
 from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Reading, TriedReading
 from ._mass_derivatives import BodyDerivatives, MeshDerivatives, ParticleDerivatives
 from ._mass_properties import Finding
@@ -74,6 +75,7 @@ __all__ = [
     "Flights",
     "Judgement",
     "LeftOut",
+    "LinkInertial",
     "LinkRow",
     "LinkTable",
     "MeshDerivatives",
@@ -103,4 +105,5 @@ __all__ = [
     "Tumbling",
     "TumblingSpin",
     "Unconstrained",
+    "WrittenInertials",
 ]

@@ -22,6 +22,11 @@ pub(super) struct Mesh {
     /// All triangles in the most common convention.
     pub(super) usual: Arc<TriangleMesh>,
     pub(super) measured: Result<Measured, String>,
+    /// Parts by name, if the file has several and each is closed; they may overlap.
+    pub(super) parts: Vec<(String, Solid)>,
+    /// True if some of several parts are wound inward and others outward, as a cavity in a part of
+    /// its own is.
+    pub(super) mixes_winding: bool,
     /// Convention in which the mesh is rotated from y up to z up, if there is one.
     pub(super) turned_in: Option<MeshReading>,
 }
@@ -81,6 +86,10 @@ impl Mesh {
             let parts = parts.iter().map(|part| solid(&part.mesh));
             solids = parts.collect::<Result<_, _>>().unwrap_or_default();
         }
+        let names = contents.parts.iter().map(|part| part.name.clone());
+        let parts: Vec<(String, Solid)> = names.zip(&solids).filter_map(Self::part).collect();
+        let inward = solids.iter().filter(|solid| solid.inverted()).count();
+        let mixes_winding = inward > 0 && inward < solids.len();
         let one = contents.as_one().map_err(|error| error.to_string())?;
         let Some(all) = one.parts.into_iter().next() else { return Err("it has no triangles".to_owned()) };
         let all = all.mesh.with_shared_vertices(threads);
@@ -98,7 +107,12 @@ impl Mesh {
         let surface = surface.map_err(|error| error.to_string())?;
         let surface = if solids.is_empty() { all } else { surface };
         let surface = Arc::new(surface);
-        Ok(Self { usual: surface.clone(), surface, measured, turned_in: None })
+        Ok(Self { usual: surface.clone(), surface, measured, parts, mixes_winding, turned_in: None })
+    }
+
+    /// Returns a part with its volume; `None` if its moments overflow, which the sum reports.
+    fn part((name, solid): (String, &ClosedMesh)) -> Option<(String, Solid)> {
+        Some((name, Solid::of(&solid.mass_properties(Substance::Density(1.0)).ok()?)))
     }
 
     /// Returns points with the same convex hull as the mesh.

@@ -64,7 +64,13 @@ impl Shapes<'_> {
 
 /// Returns the farthest point of a mesh in a direction. The direction is transformed to the frame
 /// of the points.
-fn farthest(points: &[[f64; 3]], turns: bool, scale: [f64; 3], pose: &Pose, direction: [f64; 3]) -> [f64; 3] {
+pub(super) fn farthest(
+    points: &[[f64; 3]],
+    turns: bool,
+    scale: [f64; 3],
+    pose: &Pose,
+    direction: [f64; 3],
+) -> [f64; 3] {
     let rows = pose.matrix();
     let inner = [0, 1, 2].map(|j| scale[j] * (0..3).map(|i| rows[i][j] * direction[i]).sum::<f64>());
     let placed = |v: [f64; 3]| if turns { z_up(v) } else { v };

@@ -11,10 +11,10 @@ use crate::pose::{dot, sum};
 /// Shape with closed-form moments and a known extent.
 pub(super) struct Primitive {
     shape: Box<dyn Shape>,
-    outline: Outline,
+    pub(super) outline: Outline,
 }
 
-enum Outline {
+pub(super) enum Outline {
     /// Half edge lengths along x, y, z.
     Box([f64; 3]),
     /// Semi-axes along x, y, z.

@@ -20,6 +20,7 @@ mod coupling;
 mod fix_cases;
 mod geometry;
 mod hostile;
+mod inertials;
 mod lump;
 mod mimic;
 mod mjcf;

@@ -55,6 +55,7 @@ const SUBSTANCES: &[&str] = &[
     "holed unnamed",
     "parts overlapping",
     "bare shape",
+    "inertials",
 ];
 /// Inputs for shapes: with a mass, and without a substance.
 const SHAPES: &[&str] = &["shape", "bare shape"];
@@ -68,6 +69,7 @@ const NAMED: &[&str] = &[
     "holed again",
     "torn unnamed",
     "holed unnamed",
+    "inertials",
 ];
 
 static INERTIA: Subcommand = Subcommand {
@@ -94,6 +96,7 @@ static INERTIA: Subcommand = Subcommand {
         ("cad", &["report.txt"]),
         ("molecule", &["water.xyz"]),
         ("robot", &["arm.urdf"]),
+        ("inertials", &["arm.urdf"]),
         ("grid", &["grid.npy"]),
         ("shape", &["--mass", "85 g"]),
         ("bare shape", &[]),
@@ -152,6 +155,9 @@ static INERTIA: Subcommand = Subcommand {
             &["again", "torn again", "holed again", "again unnamed"],
             &["--write-mesh"],
         ),
+        choice("--write-inertials", &["--write-inertials", "new.urdf"], &["inertials", "robot"], &[]),
+        choice("--only", &["--only", "missing"], &["inertials"], &["--write-inertials"]),
+        choice("--geometry", &["--geometry", "collision"], &["inertials"], &["--write-inertials"]),
         choice("--unit", &["--unit", "mm"], MESHES, &[]),
         choice("--mass-unit", &["--mass-unit", "g"], &["particles", "cad"], &["--unit"]),
         choice("--isotopes", &["--isotopes", "average"], &["molecule"], &[]),
@@ -178,11 +184,15 @@ static INERTIA: Subcommand = Subcommand {
         choice("--csv", &["--csv"], ANY, &[]),
         choice("--as", &["--as", "mjcf"], ANY, &[]),
     ],
-    independent: &[(
-        "--mass",
-        "--mass-unit",
-        "refused: the mass is shared by points that have none of their own",
-    )],
+    independent: &[
+        ("--mass", "--mass-unit", "refused: the mass is shared by points that have none of their own"),
+        ("--only", "--link", "tried on different models; both choose links"),
+        ("--only", "--table", "tried on different models; the table is of the new model"),
+        ("--only", "--json", "tried on different models; the list of links is the same"),
+        ("--geometry", "--link", "tried on different models"),
+        ("--geometry", "--table", "tried on different models; the table is of the new model"),
+        ("--geometry", "--json", "tried on different models; the list of links is the same"),
+    ],
 };
 
 const MODELS: &[&str] = &["noted", "flawed", "flawed again"];

@@ -160,6 +160,23 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             let rocket = crate::common::example("budget/sounding-rocket.xlsx");
             fs::copy(rocket, scratch.0.join("sounding-rocket.xlsx")).unwrap();
         }
+        "inertials" => {
+            let link = |name: &str, inertial: &str| {
+                let role = |role: &str, size: &str| {
+                    format!("<{role}><geometry><box size=\"{size}\"/></geometry></{role}>")
+                };
+                let shapes = role("visual", "0.3 0.06 0.05") + &role("collision", "0.3 0.07 0.06");
+                format!(
+                    "<link name=\"{name}\"><inertial><mass value=\"0.9\"/>{inertial}</inertial>{shapes}</link>"
+                )
+            };
+            let tensor =
+                "<inertia ixx=\"0.0007\" ixy=\"0\" ixz=\"0\" iyy=\"0.007\" iyz=\"0\" izz=\"0.0072\"/>";
+            let joint =
+                "<joint name=\"j\" type=\"fixed\"><parent link=\"base\"/><child link=\"rod\"/></joint>";
+            let links = link("base", tensor) + &link("rod", "");
+            scratch.write("arm.urdf", &format!("<robot name=\"r\">{links}{joint}</robot>"));
+        }
         "robot" => {
             fs::copy(crate::common::example("robots/arm.urdf"), scratch.0.join("arm.urdf")).unwrap();
         }

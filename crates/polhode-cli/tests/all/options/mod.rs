@@ -125,11 +125,20 @@ impl Runs {
     /// Returns the reason if an option is accepted without its requirement but has no effect;
     /// `None` if it is fine.
     fn slip(&mut self, a: &Choice, b: &Choice) -> Option<String> {
+        /// Options that write a file, which --force replaces.
+        const WRITERS: [&str; 8] = [
+            "--output",
+            "--html",
+            "--plot",
+            "--write-baseline",
+            "--write-mesh",
+            "--write-inertials",
+            "--scenario",
+            "--sweep",
+        ];
         let needs: Vec<&str> = a.needs.iter().copied().filter(|name| !name.starts_with('+')).collect();
-        // --force applies to every output file.
-        let writes = a.option == "--force"
-            && ["--output", "--html", "--plot", "--write-baseline", "--write-mesh", "--scenario", "--sweep"]
-                .contains(&b.option);
+        let writes =
+            a.option == "--force" && [b.option].iter().chain(b.needs).any(|option| WRITERS.contains(option));
         let helps = writes || needs.iter().any(|name| *name == b.option || b.needs.contains(name));
         let input = b.inputs.iter().find(|input| a.inputs.contains(input)).or(b.inputs.first());
         let (false, false, Some(input)) = (needs.is_empty(), helps, input) else { return None };

@@ -10,10 +10,10 @@ use crate::finding::Severity;
 use crate::model::{Inertial, Link, Note, Number, Pose, Slot, Tensor};
 use crate::pose::unit;
 
-const MASS: &str = "physics:mass";
-const CENTER: &str = "physics:centerOfMass";
-const MOMENTS: &str = "physics:diagonalInertia";
-const AXES: &str = "physics:principalAxes";
+pub(super) const MASS: &str = "physics:mass";
+pub(super) const CENTER: &str = "physics:centerOfMass";
+pub(super) const MOMENTS: &str = "physics:diagonalInertia";
+pub(super) const AXES: &str = "physics:principalAxes";
 
 /// All attributes that state mass properties.
 const ATTRIBUTES: [&str; 5] = [MASS, CENTER, MOMENTS, AXES, "physics:density"];

@@ -37,6 +37,8 @@ pub(super) struct Prim {
     pub(super) path: String,
     /// Position of its specifier, type and name.
     pub(super) span: Span,
+    /// Byte after the `(` of its metadata, if it has any, and byte after its `{`.
+    pub(super) openings: (Option<usize>, usize),
     pub(super) metadata: HashMap<String, Value>,
     pub(super) properties: HashMap<String, Value>,
     /// True for a `class`, which only provides opinions to others, for its descendants, and for
@@ -156,8 +158,13 @@ impl Layer {
             let place = ContentPlace::Text(first.span.clone());
             return Err(ContentError::new(ContentErrorKind::unsupported(what), place));
         }
-        let metadata = if reader.takes('(') { reader.metadata()? } else { HashMap::new() };
+        let (mut parenthesis, mut metadata) = (None, HashMap::new());
+        if reader.takes('(') {
+            parenthesis = Some(reader.last_end());
+            metadata = reader.metadata()?;
+        }
         reader.expect('{')?;
+        let openings = (parenthesis, reader.last_end());
         let parent = open.last().copied();
         let around = parent.and_then(|parent| self.prims.get(parent));
         self.path_bytes += around.map_or(0, |around| around.path.len()) + name.text.len() + 1;
@@ -173,6 +180,7 @@ impl Layer {
             parent,
             path,
             span,
+            openings,
             metadata,
             properties: HashMap::new(),
             is_abstract,
@@ -247,6 +255,12 @@ impl<'t, 's> Reader<'t, 's> {
         let token = self.peek();
         self.at += 1;
         token
+    }
+
+    /// Returns the end of the last token that was read.
+    fn last_end(&self) -> usize {
+        let last = self.at.checked_sub(1).and_then(|last| self.tokens.get(last));
+        last.map_or(0, |token| token.span.end)
     }
 
     fn takes(&mut self, mark: char) -> bool {

@@ -14,6 +14,7 @@ mod changing;
 mod coordinate;
 mod joint;
 mod layer;
+mod mass_site;
 mod path;
 mod shape;
 mod token;
@@ -29,6 +30,8 @@ use crate::model::{Note, Pose, RobotModel};
 use layer::{Layer, Prim, require_short};
 use unit::Units;
 use xform::Affine;
+
+pub(crate) use mass_site::{MassSite, mass_sites};
 
 /// Metadata keys that refer to other layers or prims.
 const ELSEWHERE: [&str; 5] = ["references", "payload", "inherits", "specializes", "subLayers"];

@@ -28,6 +28,15 @@ pub struct SubstanceChoice {
 }
 
 impl SubstanceChoice {
+    /// Returns the substance, if one is given.
+    ///
+    /// # Errors
+    /// [`Failure`] if several of the options are set.
+    pub fn substance(&self) -> Result<Option<Substance>, Failure> {
+        self.refuse_several()?;
+        Ok(self.given())
+    }
+
     pub(in crate::inertia) fn given(&self) -> Option<Substance> {
         let density = self.density.as_ref().map(|density| density.value.0.0);
         let density = density.or_else(|| Some(self.material.as_ref()?.value.0.density));

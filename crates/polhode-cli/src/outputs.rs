@@ -12,25 +12,25 @@ use crate::partial::parent;
 use crate::same_file::is_same;
 
 /// Options with their output files.
-pub(super) struct Outputs<'a> {
+pub(crate) struct Outputs<'a> {
     files: Vec<(&'static str, &'a Path)>,
     force: bool,
 }
 
 impl<'a> Outputs<'a> {
-    pub(super) fn new<const N: usize>(options: [(&'static str, Option<&'a Path>); N], force: bool) -> Self {
+    pub(crate) fn new<const N: usize>(options: [(&'static str, Option<&'a Path>); N], force: bool) -> Self {
         let files = options.into_iter().filter_map(|(option, file)| Some((option, file?))).collect();
         Self { files, force }
     }
 
     /// Returns the outputs without that of one option.
-    pub(super) fn without(&self, option: &str) -> Self {
+    pub(crate) fn without(&self, option: &str) -> Self {
         let files = self.files.iter().copied().filter(|(other, _)| *other != option).collect();
         Self { files, force: self.force }
     }
 
     /// Refuses two outputs to the same file, and a path where no file can be created or replaced.
-    pub(super) fn require_places(&self) -> Result<(), Failure> {
+    pub(crate) fn require_places(&self) -> Result<(), Failure> {
         for (k, (option, out)) in self.files.iter().enumerate() {
             if let Some((other, _)) = self.files.iter().take(k).find(|(_, other)| is_same(out, other)) {
                 return Err(Failure::usage(
@@ -43,7 +43,7 @@ impl<'a> Outputs<'a> {
     }
 
     /// Refuses to overwrite an input, even with `--force`; `what` describes the input in messages.
-    pub(super) fn require_not_read<'p>(
+    pub(crate) fn require_not_read<'p>(
         &self,
         what: &str,
         mut read: impl Iterator<Item = &'p Path>,
@@ -62,7 +62,7 @@ impl<'a> Outputs<'a> {
     }
 
     /// Refuses to overwrite a file that belongs to a model.
-    pub(super) fn require_not_part_of(&self, model: &RobotModel) -> Result<(), Failure> {
+    pub(crate) fn require_not_part_of(&self, model: &RobotModel) -> Result<(), Failure> {
         let included = || model.included.iter().map(|source| source.path.as_path());
         self.require_not_read("a file that the model includes", included())?;
         let manifests: Vec<PathBuf> = included().map(|path| path.with_file_name("model.config")).collect();
@@ -80,7 +80,7 @@ impl<'a> Outputs<'a> {
 
     /// Refuses to overwrite the file in which the model breaks off, and all files that it names,
     /// because the parts of an unreadable model are unknown.
-    pub(super) fn require_not_named(
+    pub(crate) fn require_not_named(
         &self,
         model: &Path,
         failure: &polhode_source::Failure,

@@ -504,3 +504,56 @@ fn the_tolerance_is_a_sharp_limit_of_each_quantity() {
         assert_eq!(is_equal(&moved), is_within);
     }
 }
+
+#[test]
+fn mass_moved_across_a_joint_with_another_zero_is_told() {
+    let plain = robot();
+    let mut moved = plain.rezeroed("upper", 0.7);
+    let upper = *moved.solid("upper");
+    // At the zero of the first model.
+    let at = plain.0[1].pose.point(upper.center);
+    moved.solid("upper").mass -= 0.1;
+    let base = *moved.solid("base");
+    *moved.solid("base") = sum(&[base, Solid { mass: 0.1, center: at, tensor: [[0.0; 3]; 3] }]);
+    for language in ["urdf", "xml"] {
+        let comparison = between((&plain, "sdf"), (&moved, language));
+        assert!(codes(&comparison).contains(&("compare.mass", "upper")), "{}", comparison.to_text(None));
+        let ending = "; the sum of all links agrees: moved between links";
+        assert!(messages(&comparison).iter().all(|m| m.ends_with(ending)), "{:?}", messages(&comparison));
+    }
+}
+
+#[test]
+fn the_axis_below_determines_the_zero_of_a_joint_without_mass() {
+    let mut bare = robot();
+    bare.part("upper").solid = None;
+    let moved = bare.rezeroed("upper", 0.7);
+    for language in ["urdf", "xml"] {
+        for other in [moved.clone(), moved.reframed(language)] {
+            let comparison = between((&bare, "xml"), (&other, language));
+            assert_eq!(codes(&comparison), [], "{}", comparison.to_text(None));
+            let [(code, message)] = notes(&comparison)[..] else { panic!("{:?}", notes(&comparison)) };
+            assert_eq!((code, message), ("compare.zero", "its zero differs: 0 in a.xml is -0.7 rad here"));
+        }
+    }
+}
+
+#[test]
+fn rounding_does_not_accumulate_along_a_chain_of_equal_frames() {
+    let mut chain = robot();
+    chain.0.truncate(2);
+    for k in 2..60 {
+        let mut next = chain.0[1].clone();
+        next.name = format!("link{k}");
+        next.joint.as_mut().unwrap().name = format!("joint{k}");
+        next.parent = Some(k - 1);
+        chain.0.push(next);
+    }
+    // Each of 60 poses is turned by half the tolerance, in the same sense.
+    let mut rounded = chain.clone();
+    for part in &mut rounded.0 {
+        part.pose = part.pose.then(&Frame::new([0.0; 3], [0.0, 0.0, 5e-7]));
+    }
+    let comparison = compared(["urdf", &chain.written("urdf")], ["xml", &rounded.written("xml")], "1e-6");
+    assert_eq!(codes(&comparison), [], "{}", comparison.to_text(None));
+}

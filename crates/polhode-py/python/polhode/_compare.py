@@ -58,7 +58,7 @@ class Comparison:
 
     @property
     def equal(self) -> bool:
-        """True if there is no difference."""
+        """True if the models agree within the tolerance."""
         return bool(self._report["equal"])
 
     def to_dict(self) -> dict[str, Any]:

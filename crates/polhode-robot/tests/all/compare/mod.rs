@@ -3,6 +3,9 @@
 mod cases;
 mod dynamics;
 mod robots;
+mod slips;
+mod written;
+mod zeros;
 
 use polhode_document::Report as _;
 use polhode_robot::compare::{Comparison, REPORT_SCHEMA, Request, run};
@@ -38,6 +41,10 @@ fn codes(comparison: &Comparison) -> Vec<(&str, &str)> {
         .differences()
         .map(|found| (found.code, &found.subject[found.subject.len() - last(&found.subject)..]))
         .collect()
+}
+
+fn messages(comparison: &Comparison) -> Vec<&str> {
+    comparison.differences().map(|found| found.message.as_str()).collect()
 }
 
 fn notes(comparison: &Comparison) -> Vec<(&str, &str)> {

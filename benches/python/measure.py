@@ -8,7 +8,7 @@
     python3 benches/python/measure.py --check   # fails unless the page is that
 
 A program is a file `PROBLEM/with_PEER.py` with `prepare`, which is set-up, and `solve`, whose time counts. Set-up is the first call of
-`prepare`, imports apart; time the least of repeated calls of `solve` after one that is not counted, or that one where it takes long; both are of
+`prepare` that imports nothing; time the least of repeated calls of `solve` after one that is not counted, or that one where it takes long; both are of
 the processors, all together, which other programs on the machine disturb least. Memory is the most that the process has had when
 it has solved the problem once. All are the least of several processes, the programs in turn. The median and the spread are those of the process
 with the least median. Errors are against `reference.py`.
@@ -130,9 +130,11 @@ def one(name: str, peer: str, place: Path) -> None:
     assert spec and spec.loader
     program = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(program)
-    begun = time.process_time()
-    prepared = program.prepare(**given)
-    set_up = time.process_time() - begun
+    known = 0
+    while known < len(sys.modules):
+        known, begun = len(sys.modules), time.process_time()
+        prepared = program.prepare(**given)
+        set_up = time.process_time() - begun
     begun = time.process_time()
     answer = program.solve(prepared)
     times = [time.process_time() - begun]

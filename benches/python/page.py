@@ -82,7 +82,7 @@ def small_meshes(measured: dict[str, Any]) -> str:
     if not measured:
         return ""
     rows, versions = measured["rows"], measured["versions"]
-    sizes = list(next(iter(rows.values())))
+    sizes = sorted(next(iter(rows.values())), key=lambda size: int(size.replace(",", "")))
     least = {size: min(row[size]["time"] for row in rows.values()) for size in sizes}
     said = "".join(f" {NAMES.get(name, name)} {version}." for name, version in versions.items())
     out = "### Small meshes\n\nThe same of icospheres away from the origin, with vertices displaced by up to 1 µm: processor time by number of triangles.\n"

@@ -152,7 +152,8 @@ if TYPE_CHECKING:
         ErrorPart as ErrorPart, ErrorShare as ErrorShare, ErrorSplit as ErrorSplit, Estimate as Estimate,
         EventDerivatives as EventDerivatives, Explanation as Explanation, Failure as Failure, Finding as Finding,
         FlightFit as FlightFit, Flights as Flights, Judgement as Judgement, LeftOut as LeftOut,
-        LinkInertial as LinkInertial, LinkRow as LinkRow, LinkTable as LinkTable, MeshDerivatives as MeshDerivatives, ModelFinding as ModelFinding, Motion as Motion,
+        LinkRow as LinkRow, LinkTable as LinkTable, MeshDerivatives as MeshDerivatives,
+        ModelFinding as ModelFinding, Motion as Motion,
         MotionError as MotionError, Number as Number, Oscillation as Oscillation,
         ParticleDerivatives as ParticleDerivatives, PayloadResult as PayloadResult,
         PrincipalEstimate as PrincipalEstimate, Reading as Reading, RequiredTorque as RequiredTorque,
@@ -160,7 +161,6 @@ if TYPE_CHECKING:
         SteadyOnGround as SteadyOnGround, SteadyRotation as SteadyRotation, Stop as Stop, SwingFit as SwingFit,
         SwingResult as SwingResult, Thin as Thin, TriedReading as TriedReading, TumbleResult as TumbleResult,
         Tumbling as Tumbling, TumblingSpin as TumblingSpin, Unconstrained as Unconstrained,
-        WrittenInertials as WrittenInertials,
     )
 
     Event = results.EventOccurrence
@@ -169,6 +169,8 @@ if TYPE_CHECKING:
 else:
     #: Present names of functions by former ones; results had been here too.
     _FORMER = {"Event": "results.EventOccurrence", "spin": "spins_from_periods", "torque": "required_torque"}
+    #: Results that have never been here.
+    _NEWER = {"EventOccurrence", "Comparison", "ModelDifference", "LinkInertial", "WrittenInertials"}
     _imported = _on_first_use(__name__, _HOMES)
 
     def __getattr__(name: str) -> object:
@@ -187,7 +189,7 @@ else:
 
         present = _FORMER.get(name, f"results.{name}")
         home, _, own = present.rpartition(".")
-        if home and (own not in results.__all__ or name == "EventOccurrence"):
+        if home and (own not in results.__all__ or name in _NEWER):
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         warn_of_name(f"polhode.{name}", f"polhode.{present}")
         return getattr(results if home else sys.modules[__name__], own)

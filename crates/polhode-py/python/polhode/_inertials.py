@@ -194,7 +194,7 @@ def write_inertials(
         "link": None if link is None else _arrays.text("link", link),
         "only": None if only is None else _arrays.choice("only", only, ["missing", "suspect", "impossible"]),
         "geometry": None if geometry is None else _arrays.choice("geometry", geometry, ["visual", "collision"]),
-        **{key: whole[key] for key in ("density", "mass", "material")},  # type: ignore[literal-required]
+        **{key: whole[key] for key in ("density", "mass", "material")},
         "part": [f"{part}={_in_words(part, what)}" for part, what in of_parts(parts)],
     }
     text, report, words, is_incomplete = _native.robot_inertials(json.dumps(request))

@@ -51,8 +51,13 @@ class Section:
         return f"{type(self).__name__}({', '.join(f'{f.name}={value!r}' for f, value in given if value is not f.default)})"
 
 
-#: Fields of a table; ``fields`` makes a new tuple of them each time.
-_fields = functools.cache(fields)
+#: ``fields`` makes a new tuple each time.
+_known_fields = functools.cache(fields)
+
+
+def _fields(kind: Any) -> tuple[Field[Any], ...]:
+    """Returns the fields of a kind of table."""
+    return _known_fields(kind)
 
 
 def key_of(field: Field[Any]) -> str:

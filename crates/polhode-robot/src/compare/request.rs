@@ -1,4 +1,5 @@
 //! Request of the command `compare`.
+#![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 use std::path::PathBuf;
 

@@ -46,7 +46,7 @@ pub(in crate::motion) struct BatchBody<'a> {
     acting: Arc<Acting>,
 }
 
-/// What acts on equal bodies: found once for all of them.
+/// Torques on equal bodies, decomposed once for all of them.
 #[derive(Debug)]
 struct Acting {
     decomposition: Decomposition,

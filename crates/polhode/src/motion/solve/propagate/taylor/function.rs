@@ -65,35 +65,6 @@ fn where_zero<N: Number>(mut value: N, number: N, is_zero: impl Fn(usize) -> boo
     value
 }
 
-/// Returns coefficient n of y = ∫ u' w, component by component, and stores coefficient n of t u' in
-/// `rates`, where the others are already.
-#[inline(always)]
-pub(super) fn rows_integral_by<N: Number>(
-    u: &Series<N>,
-    w: &Series<N>,
-    rates: &mut Series<N>,
-    n: usize,
-) -> Row<N> {
-    let newest = u.at(n) * Row::splat(u.at(n).0[0].like(n as f64));
-    rates.set(n, newest);
-    rows_convolution(rates, w, n).over(n)
-}
-
-/// Returns coefficient n of y = ∫ u'/d, component by component, and stores coefficient n − 1 of y'
-/// in `rates`, where the others are already.
-#[inline(always)]
-pub(super) fn rows_integral_over<N: Number>(
-    u: &Series<N>,
-    d: &Series<N>,
-    rates: &mut Series<N>,
-    n: usize,
-) -> Row<N> {
-    let rate = u.at(n) * Row::splat(u.at(n).0[0].like(n as f64));
-    let newest = ratio(rate - rows_convolution(d, rates, n - 1), d.at(0));
-    rates.set(n - 1, newest);
-    newest.over(n)
-}
-
 /// Returns coefficient n of a², component by component.
 #[inline(always)]
 pub(super) fn rows_square<N: Number>(a: &Series<N>, n: usize) -> Row<N> {
@@ -111,22 +82,16 @@ pub(super) fn rows_square<N: Number>(a: &Series<N>, n: usize) -> Row<N> {
     half + half
 }
 
-/// Returns coefficient n of c = a/b, component by component.
-#[inline(always)]
-pub(super) fn rows_quotient<N: Number>(a: &Series<N>, b: &Series<N>, c: &Series<N>, n: usize) -> Row<N> {
-    ratio(a.at(n) - rows_convolution(b, c, n), b.at(0))
-}
-
 /// Returns a/b for the three components.
 #[inline(always)]
-fn ratio<N: Number>(a: Row<N>, b: Row<N>) -> Row<N> {
+pub(super) fn ratio<N: Number>(a: Row<N>, b: Row<N>) -> Row<N> {
     let ([x, y, z, _], [p, q, r, _]) = (a.0, b.0);
     Row([x / p, y / q, z / r, x.like(0.0)])
 }
 
 /// Returns Σ aₖ bₙ₋ₖ, k = 1 … n, component by component, in the order of [`convolution`].
 #[inline(always)]
-fn rows_convolution<N: Number>(a: &Series<N>, b: &Series<N>, n: usize) -> Row<N> {
+pub(super) fn rows_convolution<N: Number>(a: &Series<N>, b: &Series<N>, n: usize) -> Row<N> {
     let none = Row::splat(a.at(0).0[0].like(0.0));
     if N::LANES > 1 {
         return products(&a[1..=n], &b[..n], none);

@@ -8,8 +8,7 @@ mod tests;
 use step::{Constant, TapeStep, circle_length, classify};
 
 use super::super::function::{
-    angle, constant_power, hypotenuse, integral_by, integral_over, rows_integral_by, rows_integral_over,
-    rows_quotient, rows_square,
+    angle, constant_power, hypotenuse, integral_by, integral_over, ratio, rows_convolution, rows_square,
 };
 use super::super::recurrence::over;
 use super::super::row::{Row, Series};
@@ -519,22 +518,49 @@ impl<N: Number> Tape<N> {
                 _ if a == b => rows_square(&rows[a], n),
                 _ => known.s.product(&rows[a], &rows[b], n),
             },
-            Op::Quotient(a, b) => rows_quotient(&rows[a], &rows[b], &rows[own], n),
             Op::IntegralBy { start, of, .. } | Op::IntegralOver { start, of, .. } if n == 0 => {
                 let [x, y, z, rest] = rows[of].at(0).0;
                 Row([x.map(|x| start.of(x)), y.map(|y| start.of(y)), z.map(|z| start.of(z)), rest])
             }
-            Op::IntegralBy { of, by, .. } => {
-                rows_integral_by(&rows[of], &rows[by], &mut self.rates[beside], n)
-            }
-            Op::IntegralOver { of, over, .. } => {
-                rows_integral_over(&rows[of], &rows[over], &mut self.rates[beside], n)
+            Op::IntegralBy { .. } | Op::IntegralOver { .. } | Op::Quotient(..) => {
+                self.implicit(operation, [own, beside], n)
             }
             Op::Image(k, a) => times(&self.matrices[k], rows[a].at(n)),
             Op::Of([x, y, z]) => {
                 let [x, y, z] = [x, y, z].map(|place| self.numbers[place][n]);
                 Row([x, y, z, none.0[0]])
             }
+        }
+    }
+
+    /// Returns coefficient n of a quotient, or of an integral for n ≥ 1, component by component.
+    /// y = ∫ u' w has n yₙ = Σ_{k≥1} k uₖ wₙ₋ₖ, and r = u'/d, as c = a/b, has d₀ rₙ = (u')ₙ − Σ_{k≥1}
+    /// dₖ rₙ₋ₖ; y = ∫ r.
+    ///
+    /// exp u has w = y, tanh u has w = 1 − y², atan u has d = 1 + u². `rates` holds t u' or r.
+    #[inline(always)]
+    fn implicit(&mut self, operation: &VectorOperation, [own, beside]: [usize; 2], n: usize) -> Row<N> {
+        use VectorOperation as Op;
+        let rows = &self.vectors;
+        let weighted = |row: Row<N>| row * Row::splat(self.time.like(n as f64));
+        let ([a, b], last) = match *operation {
+            Op::IntegralBy { of, by, .. } => {
+                self.rates[beside].set(n, weighted(rows[of].at(n)));
+                ([&self.rates[beside], &rows[by]], n)
+            }
+            Op::IntegralOver { over, .. } => ([&rows[over], &self.rates[beside]], n - 1),
+            Op::Quotient(_, b) => ([&rows[b], &rows[own]], n),
+            _ => return rows[own].at(n),
+        };
+        let sum = rows_convolution(a, b, last);
+        match *operation {
+            Op::IntegralOver { of, over, .. } => {
+                let rate = ratio(weighted(rows[of].at(n)) - sum, rows[over].at(0));
+                self.rates[beside].set(last, rate);
+                rate.over(n)
+            }
+            Op::Quotient(a, b) => ratio(rows[a].at(n) - sum, rows[b].at(0)),
+            _ => sum.over(n),
         }
     }
 

@@ -202,8 +202,9 @@ class Ensemble:
         """Computes the states of all members at times (t,), s.
 
         By default each member is computed by the best applicable method: a closed form, else
-        Taylor's method, else DOP853, with ``tolerance`` per step. If torques are Python functions, one thread is
-        used. The error is not estimated: :func:`simulate` estimates it for a single motion.
+        Taylor's method, else DOP853, with ``tolerance`` per step. If torques are Python functions,
+        one thread is used. The error is not estimated: :func:`simulate` estimates it for a single
+        motion.
 
         Events are detected up to the last time. A member that an event stops keeps the state of the
         event; see ``stops``. A member whose computation fails keeps its last good state. It is
@@ -221,8 +222,8 @@ class Ensemble:
         method
             ``"auto"``, ``"exact"``, ``"taylor"`` or ``"dop853"``. Preparing a closed form takes
             some 3 µs a member. For free bodies that are computed once, over less than about a turn,
-            ``"taylor"`` is several times faster, with an error of ``tolerance``. A member for which
-            the method is not possible fails.
+            ``"taylor"`` takes a third of the time, with an error of ``tolerance``. A member for
+            which the method is not possible fails.
 
         Returns
         -------

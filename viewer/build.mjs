@@ -7,8 +7,12 @@ import { dirname, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { build } from "esbuild";
+import { engine } from "./engine.mjs";
 
 const { values: given } = parseArgs({ options: { check: { type: "boolean" }, plain: { type: "boolean" }, module: { type: "string" }, page: { type: "string" }, commit: { type: "string" } } });
+/** Samples of the first motion: ten in a second, in which the body turns by one radian. */
+const FIRST_SAMPLES = 201;
+
 const here = dirname(fileURLToPath(import.meta.url));
 const assets = (crate) => resolve(here, `../crates/${crate}/assets`);
 const read = (path) => readFileSync(resolve(here, path), "utf8");
@@ -44,6 +48,9 @@ const script = (entry, codemirror) =>
     },
   });
 const style = (entry) => bundle(entry, { loader: { ".woff2": "dataurl" } });
+
+/** Imports a module of the viewer. */
+const imported = async (path) => import(`data:text/javascript,${encodeURIComponent(await bundle(path, { format: "esm", target: "es2022" }))}`);
 
 const banner = `<!--
 polhode viewer, MIT OR Apache-2.0. Built from viewer/ by "npm run build"; do not edit.
@@ -81,6 +88,27 @@ async function replay() {
   };
 }
 
+/**
+ * The motion of the example, computed by the engine, for the time until the page has compiled it. To be small it has fewer samples, in
+ * single precision, and no curves of other motions of the body.
+ */
+async function firstMotion(module) {
+  const { motionAnswer } = await imported("src/live/motion-answer.ts");
+  const { answer, ask } = engine(readFileSync(module));
+  const { id } = ask('"open_example"');
+  const { text } = ask({ document: { id } });
+  const short = text.replace(/^samples = \d+$/m, `samples = ${FIRST_SAMPLES}`);
+  if (short === text) throw new Error("the example does not state its samples");
+  const bytes = answer({ motion: { document: id, text: short, edits: [], error: false, working: false, body: null } });
+  const { page } = motionAnswer(Uint8Array.from(bytes).buffer).motion;
+  const packed = (value) => {
+    if (value instanceof Float64Array) return Buffer.from(Float64Array.from(value, Math.fround).buffer).toString("base64");
+    if (typeof value !== "object" || value === null) return value;
+    return Array.isArray(value) ? value.map(packed) : Object.fromEntries(Object.entries(value).map(([name, item]) => [name, packed(item)]));
+  };
+  return packed({ ...page, free: { ...page.free, family: [], separatrix: [] } });
+}
+
 /** Compresses a text as gzip, 4 % smaller than zlib does. */
 async function smallest(text) {
   const { default: zopfli } = await import("@gfx/zopfli");
@@ -90,12 +118,13 @@ async function smallest(text) {
 /** The interactive page: its parts are compressed, in base 116; `src/live/boot.ts` and `worker.ts` unpack them. */
 async function interactive() {
   const codemirror = version("@codemirror/view");
-  const { text116 } = await import(`data:text/javascript,${encodeURIComponent(await bundle("src/live/base116.ts", { format: "esm", target: "es2022" }))}`);
+  const { text116 } = await imported("src/live/base116.ts");
   const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}" data-length="${bytes.length}">${text116(bytes)}</script>`;
   const viewer = {
     style: await style("src/live/live.css"),
     script: await script("src/live/main.ts", codemirror),
     worker: await bundle("src/live/worker.ts", { format: "iife", target: "es2022" }),
+    first: await firstMotion(given.module.replace(/\.xz$/, "")),
   };
   const parts = [
     packed("polhode-module", readFileSync(given.module)),

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 import { emptyPage, launch } from "./browser.mjs";
-import { engine, path } from "./module.mjs";
+import { engine, path } from "../engine.mjs";
 import { readFileSync } from "node:fs";
 
 const FREE = 10_000;

@@ -55,6 +55,49 @@ test("the page from disk shows the example, and a knob changes its motion, witho
   await close();
 });
 
+/** Opens the page with a worker that never answers. */
+async function openWithoutEngine(fragment) {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  await page.addInitScript(() => {
+    window.Worker = class extends EventTarget {
+      postMessage() {}
+      terminate() {}
+    };
+  });
+  await page.goto(pathToFileURL(pageFile).href + fragment);
+  await page.waitForSelector("body.live.waiting");
+  return page;
+}
+
+test("until the engine answers, the page shows the motion of its example, as the engine computes it", async () => {
+  const early = await openWithoutEngine("");
+  assert.ok(await early.locator("#canvas").isVisible());
+  assert.ok(await early.locator("#knobs").isHidden());
+  await early.locator("#play").click();
+  await early.waitForFunction(() => window.polhode.clock.time > 0.05);
+  const shown = (page) => page.evaluate(() => [window.polhode.app.page.facts, [...window.polhode.app.motion.attitude]]);
+  const [facts, attitude] = await shown(early);
+  await early.close();
+
+  const { page, problems, close } = await open();
+  const [computedFacts, computed] = await shown(page);
+  assert.deepEqual(facts.slice(0, 2), computedFacts.slice(0, 2)); // body and inertia
+  const step = (computed.length / 4 - 1) / (attitude.length / 4 - 1);
+  assert.ok(Number.isInteger(step) && step > 1, `${computed.length}, ${attitude.length}`);
+  attitude.forEach((component, k) => {
+    const full = computed[4 * step * Math.floor(k / 4) + (k % 4)];
+    assert.ok(Math.abs(component - full) < 1e-7, `${k}: ${component}, ${full}`);
+  });
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("a link to a motion does not show that of the example before", async () => {
+  const page = await openWithoutEngine("#state=AAAA");
+  assert.ok(await page.locator("#canvas").isHidden());
+  await page.close();
+});
+
 test("dropped files are shown: a scenario with its mesh, a robot with a finding, a torn mesh", async () => {
   const { page, problems, close } = await open();
   const corner = "solid s\n" + [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]].map((f) => facet(f)).join("") + "endsolid s\n";

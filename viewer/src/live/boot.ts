@@ -2,6 +2,7 @@
  * Start of the page: unpacks its style, its script and the worker's script, which the page contains
  * as gzip in base 116. A worker unpacks the module of the engine meanwhile.
  */
+import type { PageData } from "../data";
 import { bytesOf116 } from "./base116";
 import type { Built, Packed } from "./work";
 
@@ -10,12 +11,15 @@ export interface Viewer {
   style: string;
   script: string;
   worker: string;
+  /** Motion of the example, shown until the engine has started. */
+  first: PageData;
 }
 
 export interface Embedded {
   module: Promise<WebAssembly.Module>;
   /** Address of the worker's script. */
   worker: string;
+  first: PageData;
 }
 
 function packed(id: string): Packed {
@@ -42,12 +46,12 @@ function compiled(script: string): Promise<WebAssembly.Module> {
 }
 
 async function start(): Promise<void> {
-  const { style, script, worker: text } = await viewer();
+  const { style, script, worker: text, first } = await viewer();
   const worker = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
   const module = compiled(worker);
   // A page that cannot compile the module says so when it asks the engine.
   module.catch(() => null);
-  window.polhodeEmbedded = { module, worker };
+  window.polhodeEmbedded = { module, worker, first };
   for (const [kind, text] of [["style", style], ["script", script]]) {
     const part = document.createElement(kind);
     part.textContent = text;

@@ -30,6 +30,11 @@ export class Files {
   readonly #address = document.querySelector<HTMLMetaElement>('meta[name="polhode-files"]')?.content ?? null;
   #tag = "";
 
+  /** True if the page has files of its own, or a server of some. */
+  get areGiven(): boolean {
+    return this.#address !== null || packText() !== "";
+  }
+
   /** Gives the files to the engine, and opens them. Without any, the example is opened. */
   async open(): Promise<void> {
     const pack = await this.#pack();
@@ -76,8 +81,8 @@ export class Files {
   /** Returns the files of the page or of the server; null if there are none, or none has changed. */
   async #pack(): Promise<Pack | null> {
     if (this.#address === null) {
-      const text = document.getElementById("polhode-files")?.textContent ?? "";
-      return text === "" ? null : read(await inflated(bytesOf(text.trim())));
+      const text = packText();
+      return text === "" ? null : read(await inflated(bytesOf(text)));
     }
     const answer = await fetch(this.#address, { cache: "no-store", headers: this.#tag === "" ? {} : { "If-None-Match": this.#tag } });
     if (answer.status === 304) return null;
@@ -87,6 +92,9 @@ export class Files {
     return pack;
   }
 }
+
+/** Returns the files in the page, deflated, in base64; "" if there are none. */
+const packText = (): string => document.getElementById("polhode-files")?.textContent.trim() ?? "";
 
 /** Reads a pack: the length of the JSON as a u64, the JSON, and the files one after another. */
 async function read(pack: Blob): Promise<Pack> {

@@ -10,6 +10,9 @@ import type { Session } from "./session";
 
 const FRAGMENT = /^#frame(?:=(light|dark))?$/;
 
+/** Returns true if the fragment of an address restores no state and opens nothing. */
+export const isPlain = (fragment: string): boolean => fragment === "" || FRAGMENT.test(fragment);
+
 /** Prepares the page if its address requests a frame. */
 export function frame(app: App, session: Session): void {
   const requested = FRAGMENT.exec(location.hash);

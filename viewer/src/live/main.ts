@@ -6,8 +6,9 @@ import { Drop } from "./drop";
 import { Editor } from "./editor";
 import { EMPTY } from "./empty";
 import { Exercises } from "./exercise";
+import { embedded } from "./embedded";
 import { Files } from "./files";
-import { frame } from "./framed";
+import { frame, isPlain } from "./framed";
 import { Inspection } from "./inspection/inspection";
 import { Knobs } from "./knobs";
 import { lessonOf, Lessons } from "./lesson";
@@ -48,12 +49,16 @@ orSay(() => {
     about,
   ]);
   document.body.classList.add("live", "waiting");
+  const files = new Files();
+  let first = files.areGiven || !isPlain(location.hash) ? null : embedded.first;
   session.listen({
     moved: (page, { anew, isWorked }) => {
       // Until the worked solution arrives, the previous one is kept; it is not visible.
       const shown = isWorked ? page : { ...page, explanation: app.page.explanation };
-      app.show(shown, anew);
-      document.body.classList.remove("waiting");
+      // The example continues where it is shown already.
+      app.show(shown, anew && app.page.title !== first?.title);
+      first = null;
+      document.body.classList.remove("waiting", "early");
     },
   });
   troubles(session);
@@ -86,7 +91,11 @@ orSay(() => {
   window.polhodeLive = session;
   window.polhodeInspection = inspection;
   window.polhodeReport = report;
-  void begin(session, shown, notice, lessons, exercises);
+  if (first) {
+    app.show(first, true);
+    document.body.classList.add("early");
+  }
+  void begin(files, session, shown, notice, lessons, exercises);
 });
 
 declare global {
@@ -113,10 +122,9 @@ function troubles(session: Session): void {
   });
 }
 
-async function begin(session: Session, shown: Shown, notice: Notice, lessons: Lessons, exercises: Exercises): Promise<void> {
+async function begin(files: Files, session: Session, shown: Shown, notice: Notice, lessons: Lessons, exercises: Exercises): Promise<void> {
   // A lesson changes the address.
   const fragment = location.hash;
-  const files = new Files();
   try {
     const linked = await readFragment(location.hash).catch(() => {
       files.problems.push("The link is damaged: this is the document itself.");

@@ -3,7 +3,7 @@ import { readFileSync } from "node:fs";
 import { dirname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
-const root = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+const root = resolve(dirname(fileURLToPath(import.meta.url)), "..");
 export const path = process.env.POLHODE_MODULE ?? resolve(root, "target/page/polhode.wasm");
 
 /** A fresh engine. `put` adds a file, `answer` gives the bytes of an answer, `ask` its JSON. */

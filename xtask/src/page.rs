@@ -14,6 +14,9 @@ use crate::{Outcome, root};
 /// Largest size of the page, bytes.
 const MOST: u64 = 3_000_000;
 
+/// Length of a match that ends the search for a longer one: the most that XZ permits.
+const LONGEST_MATCH: u32 = 273;
+
 /// Builds the module and the page into `target/page/`.
 pub(crate) fn build(build: Build) -> Outcome {
     let module = module::build(build, "page", "page", "polhode")?;
@@ -58,6 +61,9 @@ fn packed(module: &Path, build: Build) -> Result<PathBuf, String> {
     let mut options = XzOptions::with_preset(if build == Build::Release { 9 } else { 0 });
     // Code has no alignment, and its literals follow from the byte before.
     (options.lzma_options.lc, options.lzma_options.pb) = (4, 0);
+    if build == Build::Release {
+        options.lzma_options.nice_len = LONGEST_MATCH;
+    }
     let mut writer = XzWriter::new(Vec::new(), options).map_err(failed)?;
     writer.write_all(&bytes).map_err(failed)?;
     let out = writer.finish().map_err(failed)?;

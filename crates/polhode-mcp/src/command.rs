@@ -28,7 +28,7 @@ type Result = std::result::Result<Outcome, Failure>;
 
 /// Computes mass properties.
 pub(crate) fn inertia(mut arguments: Arguments, files: &dyn Files, _: &AtomicBool) -> Result {
-    let links: LinkChoice = arguments.take(["link", "lump", "subtree", "joint"]).read()?;
+    let links: LinkChoice = arguments.take(["link", "lump", "subtree", "skip-invalid", "joint"]).read()?;
     let request: polhode_shape::Request = arguments.read()?;
     if request.files.is_empty() && !request.primitive.is_given() {
         let hint =

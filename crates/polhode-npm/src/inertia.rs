@@ -15,7 +15,7 @@ use crate::message::invalid;
 use crate::outcome::Outcome;
 
 /// Keys of a [`LinkChoice`]; its table is a report of another kind.
-const LINK_KEYS: [&str; 4] = ["link", "lump", "subtree", "joint"];
+const LINK_KEYS: [&str; 5] = ["link", "lump", "subtree", "skip-invalid", "joint"];
 
 /// Returns the reports of all bodies, in the order of their files.
 pub(crate) fn outcome(mut request: Map<String, Value>, files: &dyn Files) -> Outcome {

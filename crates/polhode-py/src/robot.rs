@@ -56,7 +56,7 @@ pub(crate) fn robot_file(
 pub(crate) fn robot_groups(py: Python<'_>, path: PathBuf) -> PyResult<Vec<(String, PyMassProperties)>> {
     let reports = py.detach(|| {
         let model = read(&path)?;
-        of_lumps(&model, Lumping::Fixed, &[]).map_err(|error| raised(&model, &error))
+        of_lumps(&model, Lumping::Fixed, &[], false).map_err(|error| raised(&model, &error))
     })?;
     let frame = |report: &InertiaReport| {
         report.source.fields.get("link").and_then(|link| link.as_str()).unwrap_or_default().to_owned()
@@ -87,7 +87,7 @@ fn read(path: &Path) -> PyResult<RobotModel> {
 /// Returns the single body of the selected links.
 fn one(model: &RobotModel, lumping: Lumping<'_>, joints: &[(String, JointValue)]) -> PyResult<InertiaReport> {
     let positions = positions(model, joints)?;
-    let mut reports = of_lumps(model, lumping, &positions).map_err(|error| raised(model, &error))?;
+    let mut reports = of_lumps(model, lumping, &positions, false).map_err(|error| raised(model, &error))?;
     reports.pop().ok_or_else(|| refused(format!("no link of {} has mass", model.path.display()), None))
 }
 

@@ -6,6 +6,7 @@ mod gitlab;
 mod junit;
 mod markdown;
 mod page;
+mod pictures;
 mod sarif;
 
 use std::borrow::Cow;

@@ -21,6 +21,7 @@ mod outside;
 mod polyhedron;
 mod primitive;
 mod separation;
+mod shape_box;
 mod united;
 
 use std::fmt;
@@ -40,6 +41,7 @@ use mesh_files::MeshFiles;
 use primitive::Primitive;
 
 pub use mesh_files::mesh_files;
+pub use shape_box::ShapeBox;
 pub use united::{LinkSolid, SolidPiece};
 
 /// Volume and moments of one or several shapes, in the link's frame.

@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 use crate::body::{LinkMass, link_mass};
 use crate::line_index::{FilePlace, Places};
 use crate::link_error::LinkError;
-use crate::lump::{Drive, JointPosition, Lump, Lumping, PositionBy, link_named, lump};
+use crate::lump::{Drive, JointPosition, Lump, Lumping, PositionBy, link_named, lump, lump_valid};
 use crate::model::RobotModel;
 use crate::remarks::remarks;
 use crate::report::format_name;
@@ -51,23 +51,36 @@ pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, LinkErro
 /// them, rad or m.
 ///
 /// # Errors
-/// [`LinkError`] as for [`lump`], or if the file states a number twice with different values.
+/// [`LinkError`] as for [`lump`] or, if `skips_invalid`, [`lump_valid`]; or if the file states a
+/// number twice with different values.
 pub fn of_lumps(
     model: &RobotModel,
     lumping: Lumping<'_>,
     positions: &[(String, f64)],
+    skips_invalid: bool,
 ) -> Result<Vec<InertiaReport>, LinkError> {
-    let lumps = lump(model, lumping, positions)?;
+    let lumps = if skips_invalid { lump_valid } else { lump }(model, lumping, positions)?;
     let mut findings = remarks(model, None)?;
     if let Some(lump) = lumps.first() {
         findings.extend(beyond_limits(model, &lump.positions));
     }
     let report = |lump: Lump| {
         let armatures = lump.drives.iter().filter_map(|drive| armature(model, drive));
-        let findings = findings.iter().cloned().chain(armatures).collect();
+        let left_out = lump.left_out.iter().map(|error| left_out(model, error));
+        let findings = left_out.chain(findings.iter().cloned()).chain(armatures).collect();
         InertiaReport { findings, ..of_lump(model, lumping, lump) }
     };
     Ok(lumps.into_iter().map(report).collect())
+}
+
+/// Reports a link that is left out.
+fn left_out(model: &RobotModel, error: &LinkError) -> Finding {
+    let place = error.span().map(|span| {
+        let FilePlace { file, line, column, .. } = Places::of(model).place(&span);
+        format!("{}:{line}:{column}", file.display())
+    });
+    let message = format!("{error}: it is left out, and its mass is missing in the sum");
+    Finding { code: "lump.left_out", severity: Severity::Warning, message, place }
 }
 
 /// Reports the inertia that the motor of a joint moves: the body and its own rotor.
@@ -91,7 +104,7 @@ fn armature(model: &RobotModel, drive: &Drive) -> Option<Finding> {
 }
 
 fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaReport {
-    let Lump { frame, links, massless, positions, held, drives, rounding, properties } = lump;
+    let Lump { frame, links, massless, left_out, positions, held, drives, rounding, properties } = lump;
     let of_model = of_model(model);
     let frame_words = match &frame {
         Some(link) => format!("in the frame of {link}"),
@@ -102,7 +115,8 @@ fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaRepor
     let pose = position_words(&positions, &held);
     let words = match lumping {
         Lumping::Fixed => format!("{many} {of_model}, fixed together, {frame_words}"),
-        Lumping::All => format!("all {many} {of_model}{pose}, {frame_words}"),
+        Lumping::All if left_out.is_empty() => format!("all {many} {of_model}{pose}, {frame_words}"),
+        Lumping::All => format!("{many} {of_model}, {} left out{pose}, {frame_words}", left_out.len()),
         Lumping::Subtree(link) => {
             format!("{link} and its descendants, {many} {of_model}{pose}, {frame_words}")
         }

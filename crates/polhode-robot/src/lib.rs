@@ -14,6 +14,7 @@
 //! - [`policy`]: severity overrides, allowances and baselines
 //! - [`repair`]: repaired text and its diff; all other bytes are unchanged
 //! - [`report`]: reports for people and for programs
+//! - [`at_rest`]: poses of all links with all joints at zero
 //! - [`body`]: a link's mass properties in its own frame
 //! - [`mod@lump`]: links joined to one body, with joint values given by name
 //! - [`mod@inertia`]: reports of these bodies
@@ -24,6 +25,7 @@
 //! - [`moments`]: eigenvalues and axes of tensors that may be unphysical
 //! - [`line_index`]: lines and columns of text positions
 
+pub mod at_rest;
 pub mod body;
 pub mod check;
 mod checked;

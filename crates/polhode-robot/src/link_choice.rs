@@ -45,6 +45,9 @@ pub struct LinkChoice {
     /// A link and all its descendants, joined, in the frame of that link.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "LINK", group = "of_robot"))]
     pub subtree: Option<String>,
+    /// Go on without the links whose mass properties are impossible, and list them: joined links.
+    #[cfg_attr(feature = "arguments", arg(long, requires = "of_robot", conflicts_with_all = ["link", "table"]))]
+    pub skip_invalid: bool,
     /// A table of all links of a robot and the whole robot: as text, or with --json or --csv.
     #[cfg_attr(feature = "arguments", arg(long, group = "of_robot", conflicts_with_all = ["about", "along", "as_format"]))]
     pub table: bool,
@@ -128,6 +131,10 @@ impl LinkChoice {
             let hint = "give lump or subtree, or leave joint out";
             return Err(Failure::usage("joint is only for joined links of a robot", hint));
         }
+        if self.skip_invalid && matches!(first, None | Some("link")) {
+            let hint = "give lump or subtree, or leave skip-invalid out";
+            return Err(Failure::usage("skip-invalid is only for joined links of a robot", hint));
+        }
         Ok(self)
     }
 
@@ -168,7 +175,7 @@ impl LinkChoice {
             }
         };
         let positions = self.positions(&model)?;
-        of_lumps(&model, lumping, &positions).map_err(|error| error.in_model(&model))
+        of_lumps(&model, lumping, &positions, self.skip_invalid).map_err(|error| error.in_model(&model))
     }
 
     /// Returns a table of the links.

@@ -88,7 +88,7 @@ impl LinkTable {
     /// # Errors
     /// [`LinkError`] if a link has unphysical mass properties, or if the links cannot be joined.
     pub fn of(model: &RobotModel, positions: &[(String, f64)]) -> Result<Self, LinkError> {
-        let mut whole = of_lumps(model, Lumping::All, positions)?.into_iter();
+        let mut whole = of_lumps(model, Lumping::All, positions, false)?.into_iter();
         let whole = whole.next().ok_or_else(|| LinkError::massless(None))?;
         let rows = model.links.iter().map(|link| row(model, link)).collect::<Result<Vec<_>, _>>()?;
         Ok(Self { rows, whole, name: of_model(model) })

@@ -60,6 +60,9 @@ pub struct Lump {
     /// Joints that carry the body, with the inertia that their motors move. Only for
     /// [`Lumping::Subtree`].
     pub drives: Vec<Drive>,
+    /// Links without usable mass properties, which [`lump_valid`] leaves out, with the reasons; those
+    /// of groups without any other link are in the first body.
+    pub left_out: Vec<LinkError>,
     /// Largest correction that made the tensor of a link physical, kg·m²; see
     /// [`LinkBody::rounding`](crate::body::LinkBody::rounding). Usually zero.
     pub rounding: f64,
@@ -92,6 +95,23 @@ pub struct Lump {
 /// [`LinkError`] if a link has unphysical mass properties, if bodies are not read, if the joints do
 /// not form a tree, or if a given value has no joint, moves nothing, or is not determined.
 pub fn lump(
+    model: &RobotModel,
+    lumping: Lumping<'_>,
+    positions: &[(String, f64)],
+) -> Result<Vec<Lump>, LinkError> {
+    lump_valid(model, lumping, positions)?
+        .into_iter()
+        .map(|mut lump| if lump.left_out.is_empty() { Ok(lump) } else { Err(lump.left_out.swap_remove(0)) })
+        .collect()
+}
+
+/// Joins the links that have usable mass properties, as [`lump`] does; the others are in
+/// [`Lump::left_out`], and their mass is missing in the result.
+///
+/// # Errors
+/// [`LinkError`] as for [`lump`], except for links without usable mass properties; if no other link
+/// has mass, the error of the first one.
+pub fn lump_valid(
     model: &RobotModel,
     lumping: Lumping<'_>,
     positions: &[(String, f64)],
@@ -149,6 +169,8 @@ pub fn lump(
     require_bodies(model, subtree.map(|_| &joined))?;
     let held: Vec<String> = held(model, &moving);
     let positions = positions.of_joints(moving.into_iter(), subtree)?;
+    let empty = groups.iter_mut().filter(|group| group.parts.is_empty());
+    let mut left_out: Vec<LinkError> = empty.flat_map(|group| std::mem::take(&mut group.left_out)).collect();
     let lumps = groups
         .into_iter()
         .filter(|group| !group.parts.is_empty())
@@ -157,7 +179,11 @@ pub fn lump(
     if let (Some(lump), Some(above)) = (lumps.first_mut(), root.and_then(|root| tree.above.get(root))) {
         lump.drives = drives(model, above, &lump.properties);
     }
-    if lumps.is_empty() { Err(LinkError::massless(subtree)) } else { Ok(lumps) }
+    match lumps.first_mut() {
+        Some(first) => first.left_out.append(&mut left_out),
+        None => return Err(left_out.into_iter().next().unwrap_or_else(|| LinkError::massless(subtree))),
+    }
+    Ok(lumps)
 }
 
 /// Returns for each link the number of its group of fixed joints, and its pose in the frame of the
@@ -236,20 +262,29 @@ struct Group {
     frame: Option<String>,
     links: Vec<String>,
     massless: Vec<String>,
+    left_out: Vec<LinkError>,
     rounding: f64,
     parts: Vec<PlacedPart>,
 }
 
 impl Group {
     const fn new(frame: Option<String>) -> Self {
-        Self { frame, links: Vec::new(), massless: Vec::new(), rounding: 0.0, parts: Vec::new() }
+        Self {
+            frame,
+            links: Vec::new(),
+            massless: Vec::new(),
+            left_out: Vec::new(),
+            rounding: 0.0,
+            parts: Vec::new(),
+        }
     }
 
     fn add(&mut self, format: ModelFormat, link: &Link, place: Place) -> Result<(), LinkError> {
         let name = &link.name.text;
-        match link_mass(format, link).map_err(|error| error.of_link(name))? {
-            LinkMass::None => self.massless.push(name.clone()),
-            LinkMass::Body(body) => {
+        match link_mass(format, link) {
+            Err(error) => self.left_out.push(error.of_link(name)),
+            Ok(LinkMass::None) => self.massless.push(name.clone()),
+            Ok(LinkMass::Body(body)) => {
                 let rotation = place.rotation * Rotation::identity();
                 let part = PlacedPart::new(body.properties, place.position, rotation);
                 self.parts.push(part.map_err(|error| not_joined(name, &error))?);
@@ -261,7 +296,7 @@ impl Group {
     }
 
     fn joined(self, positions: &[JointPosition], held: &[String]) -> Result<Lump, LinkError> {
-        let Self { frame, links, massless, rounding, parts } = self;
+        let Self { frame, links, massless, left_out, rounding, parts } = self;
         let properties = assemble(&parts).map_err(|error| {
             // First link that cannot be joined to the first one; otherwise the last link of a sum
             // that overflows.
@@ -272,7 +307,17 @@ impl Group {
             not_joined(link, &error)
         })?;
         let (positions, held) = (positions.to_vec(), held.to_vec());
-        Ok(Lump { frame, links, massless, positions, held, drives: Vec::new(), rounding, properties })
+        Ok(Lump {
+            frame,
+            links,
+            massless,
+            left_out,
+            positions,
+            held,
+            drives: Vec::new(),
+            rounding,
+            properties,
+        })
     }
 }
 

@@ -24,7 +24,7 @@ use crate::stdout::{print, print_exact};
 pub(super) const OUTPUTS: [&str; 2] = ["write_mesh", "write_inertials"];
 
 /// Options that do not apply to inertials from the geometry of links.
-const OF_OTHERS: [&str; 26] = [
+const OF_OTHERS: [&str; 27] = [
     "primitive",
     "hull",
     "shell",
@@ -41,6 +41,7 @@ const OF_OTHERS: [&str; 26] = [
     "decimal",
     "lump",
     "subtree",
+    "skip_invalid",
     "joints",
     "spacing",
     "origin",
@@ -58,6 +59,7 @@ pub(super) const EXAMPLES: &str = "
   polhode inertia robot.urdf --link forearm
   polhode inertia robot.urdf --lump all --joint elbow=\"30 deg\" --write mjcf
   polhode inertia robot.urdf --subtree palm --joint left_finger=\"5 mm\"
+  polhode inertia robot.urdf --lump all --skip-invalid
   polhode inertia robot.urdf --table
   polhode inertia robot.urdf --write-inertials --material aluminium --part \"hand=1.2 kg\" | patch -p1
   polhode inertia robot.urdf --write-inertials new.urdf --only missing --density \"1.2 g/cm^3\"";

@@ -1,7 +1,7 @@
 //! Geometry of one link, as evidence for its mass properties.
 
 use super::material::is_solid;
-use crate::geometry::{MeshReading, Shapes, Volume};
+use crate::geometry::{MeshReading, ShapeBox, Shapes, Volume};
 use crate::model::{Geometry, Link, Role};
 
 /// Solids of one link, and the position of its centre of mass relative to them.
@@ -12,6 +12,8 @@ pub struct LinkGeometry {
     pub volumes: Vec<Volume>,
     /// Bounds of x, y, z over all solids, in the link's frame, m; `None` if there are none.
     pub bounds: Option<[[f64; 3]; 2]>,
+    /// Boxes around the shapes, for pictures: around the visual ones if there are any.
+    pub boxes: Vec<ShapeBox>,
     /// True if programs disagree on the up axis of a mesh. Then each orientation is a candidate,
     /// and axes are not evidence.
     pub is_turned_by_some: bool,
@@ -43,7 +45,7 @@ impl LinkGeometry {
     /// Measures the shapes of a link. A role counts only if all of its shapes can be measured,
     /// because a part of a body proves nothing.
     pub fn of(link: &Link, shapes: &Shapes<'_>) -> Self {
-        let mut geometry = Self::measured(link, shapes);
+        let mut geometry = Self { boxes: shapes.boxes(link), ..Self::measured(link, shapes) };
         let inertial = link.inertial.as_ref().filter(|inertial| inertial.pose.unreadable.is_empty());
         let Some(inertial) = inertial else { return geometry };
         geometry.outside =

@@ -55,15 +55,20 @@ impl Checked {
             settled.collect(),
         ));
         let is_one = self.files.len() == 1;
+        let mut last_links = None;
         for file in &self.files {
             let Ok(report) = &file.report else { continue };
-            let mut links = report.links();
-            if !is_one {
-                links.title = format!("Links of {}", printable(&file.name));
-            }
-            sections.push(links);
+            let of_file = |section: Section| match is_one {
+                true => section,
+                false => {
+                    Section { title: format!("{} of {}", section.title, printable(&file.name)), ..section }
+                }
+            };
+            last_links = Some(sections.len());
+            sections.push(of_file(report.links()));
+            sections.extend(report.pictures(is_one).map(of_file));
         }
-        if let Some(last) = sections.last_mut().filter(|_| self.reports().next().is_some()) {
+        if let Some(last) = last_links.and_then(|k| sections.get_mut(k)) {
             COLUMNS.iter().for_each(|line| last.say(format!("{}.", line.replace("   ", "; "))));
         }
         for (k, section) in sections.iter_mut().enumerate() {

@@ -34,7 +34,7 @@ fn the_armature_of_a_joint_is_added_to_what_hangs_from_it() {
     );
     let [drive] = &drives(&model, "a")[..] else { panic!("a drive") };
     assert_drive(drive, "j", 0.044, 0.05);
-    let report = of_lumps(&model, Lumping::Subtree("a"), &[]).unwrap().remove(0);
+    let report = of_lumps(&model, Lumping::Subtree("a"), &[], false).unwrap().remove(0);
     let told =
         "joint j moves 0.044 kg·m² about its axis, or 0.094 kg·m² including its armature of 0.05 kg·m²";
     assert_eq!(
@@ -51,7 +51,7 @@ fn the_armature_of_a_joint_is_added_to_what_hangs_from_it() {
     let bare = read(
         r#"<mujoco><worldbody><body name="a"><joint name="j"/><geom size="0.1"/></body></worldbody></mujoco>"#,
     );
-    assert_eq!(of_lumps(&bare, Lumping::Subtree("a"), &[]).unwrap()[0].findings, []);
+    assert_eq!(of_lumps(&bare, Lumping::Subtree("a"), &[], false).unwrap()[0].findings, []);
 }
 
 #[test]
@@ -125,7 +125,7 @@ fn an_armature_that_is_no_inertia_is_told_and_not_added() {
             "<mujoco><worldbody><body name=\"a\"><joint name=\"j\" armature=\"{armature}\"/><geom size=\"0.1\"/></body></worldbody></mujoco>"
         );
         let model = read(&text);
-        let report = of_lumps(&model, Lumping::Subtree("a"), &[]).unwrap().remove(0);
+        let report = of_lumps(&model, Lumping::Subtree("a"), &[], false).unwrap().remove(0);
         assert_eq!(report.findings[0].code, "joint.armature");
         assert!(report.findings[0].message.contains("it is not added"), "{}", report.findings[0].message);
         let found = polhode_robot::check::check(&model, &[]);

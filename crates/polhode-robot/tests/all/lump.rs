@@ -1,6 +1,6 @@
 //! Links joined to one body, compared with sums over their points.
 
-use polhode_robot::lump::{Lump, Lumping, lump};
+use polhode_robot::lump::{Lump, Lumping, lump, lump_valid};
 use polhode_robot::model::{
     Coordinate, Inertial, Joint, JointKind, Link, ModelFormat, Name, Number, Pose, RobotModel, Slot, Tensor,
 };
@@ -346,4 +346,49 @@ fn a_tensor_is_as_sure_as_its_digits() {
     assert!((i3 - (0.0358024 - 1e-7 / 3.0)).abs() < 1e-15);
     let error = lump(&written("0.0358026"), Lumping::Fixed, &[]).unwrap_err();
     require_says(&error, "the link \"plate\" cannot be used: ");
+}
+
+#[test]
+fn links_without_a_body_are_left_out_by_name_and_the_others_are_summed() {
+    let link = |name: &str, ixx: &str| {
+        format!(
+            r#"<link name="{name}"><inertial><origin xyz="0.1 -0.2 0.3" rpy="0 0 0"/><mass value="1.7"/>
+            <inertia ixx="{ixx}" ixy="0.01" ixz="-0.02" iyy="0.3" iyz="0.03" izz="0.4"/></inertial></link>"#
+        )
+    };
+    let joint = |name: &str, parent: &str, child: &str, kind: &str| {
+        format!(
+            r#"<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>
+            <origin xyz="0.3 0.1 -0.4" rpy="0.2 -0.1 0.7"/><axis xyz="0 0 1"/></joint>"#
+        )
+    };
+    let model = |second: &str, third: &str| {
+        let links = [link("a", "0.2"), link("b", second), link("c", third)].concat();
+        let text = format!(
+            r#"<robot name="r">{links}{}{}</robot>"#,
+            joint("j", "a", "b", "revolute"),
+            joint("k", "a", "c", "fixed")
+        );
+        polhode_robot::read::read_text(&text, "a.urdf".as_ref(), &Default::default()).unwrap()
+    };
+    let bad = model("9", "0.25");
+    assert!(lump(&bad, Lumping::All, &[]).unwrap_err().to_string().contains("\"b\""));
+    let [whole] = lump_valid(&bad, Lumping::All, &[]).unwrap().try_into().unwrap();
+    assert_eq!(whole.links, ["a", "c"]);
+    let [error] = &*whole.left_out else { panic!("{:?}", whole.left_out) };
+    assert!(error.to_string().contains("\"b\"") && error.span().is_some(), "{error}");
+    // The sum is that of a model in which the link has no inertial.
+    let without = polhode_robot::read::read_text(
+        &bad.text.replace(&link("b", "9"), r#"<link name="b"/>"#),
+        "a.urdf".as_ref(),
+        &Default::default(),
+    );
+    let [other] = lump(&without.unwrap(), Lumping::All, &[]).unwrap().try_into().unwrap();
+    assert_eq!(whole.properties, other.properties);
+    // A group of which nothing is left is named in the first body.
+    let groups = lump_valid(&bad, Lumping::Fixed, &[]).unwrap();
+    assert_eq!((groups.len(), groups[0].left_out.len()), (1, 1));
+    // Without any valid link there is no body.
+    assert!(lump_valid(&model("9", "9"), Lumping::Subtree("b"), &[]).is_err());
+    assert_eq!(lump_valid(&model("0.3", "0.25"), Lumping::All, &[]).unwrap()[0].left_out, []);
 }

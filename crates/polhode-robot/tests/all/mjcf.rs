@@ -209,7 +209,7 @@ fn bodies_that_mujoco_makes_are_refused_by_name() {
     // The bodies may be fixed to the hand, so it may have mass.
     assert!(check(&model, &[]).iter().all(|finding| finding.code == "read.left_out"));
 
-    let error = |lumping| of_lumps(&model, lumping, &[]).unwrap_err();
+    let error = |lumping| of_lumps(&model, lumping, &[], false).unwrap_err();
     for lumping in [Lumping::All, Lumping::Fixed, Lumping::Subtree("arm"), Lumping::Subtree("hand")] {
         let error = error(lumping);
         assert_eq!(error.span().unwrap().start, places[0], "{lumping:?}");
@@ -220,7 +220,7 @@ fn bodies_that_mujoco_makes_are_refused_by_name() {
         assert!(error.hint().contains("mj_saveLastXML"));
     }
     assert_eq!(LinkTable::of(&model, &[]).unwrap_err(), error(Lumping::All));
-    assert!(of_lumps(&model, Lumping::Subtree("tool"), &[]).is_ok());
+    assert!(of_lumps(&model, Lumping::Subtree("tool"), &[], false).is_ok());
     assert!(of_link(&model, "arm").is_ok());
 }
 

@@ -164,7 +164,7 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
     assert_eq!(custom_pin.properties, pin);
     assert_eq!(custom_pin.held, ["root", "knee"]);
     let heading =
-        |model: &RobotModel| of_lumps(model, Lumping::All, &[]).unwrap().remove(0).source.description;
+        |model: &RobotModel| of_lumps(model, Lumping::All, &[], false).unwrap().remove(0).source.description;
     assert!(heading(&read(NEW)).contains("joints at zero, root as in the file (takes no value)"));
     assert!(heading(&custom("")).contains("leg, root and knee as in the file"));
 

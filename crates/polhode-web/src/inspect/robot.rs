@@ -7,12 +7,13 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use polhode::body::PrincipalFrame;
+use polhode_robot::at_rest::AtRest;
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::inspect;
 use polhode_robot::line_index::{FilePlace, Places};
-use polhode_robot::model::{Joint, Link, ModelFormat, Pose, RobotModel, Span};
+use polhode_robot::model::{Link, ModelFormat, RobotModel, Span};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
 use polhode_scenario::report::display::equivalent_box;
@@ -108,13 +109,13 @@ impl RobotInspection {
         let model = read_model(path, &options).map_err(unreadable)?;
         let shapes = Shapes::watched(goes_on).from_files(files);
         let found = inspect(&model, &shapes).findings;
-        let stands = Stands::of(&model);
+        let at_rest = AtRest::of(&model);
         let numbers = numbers(&model);
         let places = Places::of(&model);
         let severities = severities(&found);
         let mut findings: Vec<RobotFinding> =
             found.iter().map(|one| RobotFinding::of(one, &numbers, &places)).collect();
-        let unplaced = stands.unplaced.iter();
+        let unplaced = at_rest.unplaced.iter();
         findings.extend(unplaced.filter_map(|&k| RobotFinding::of_unplaced(&model, k, &places)));
         let LinkShapes { shapes: looks, not_shown } = LinkShapes::of(&model, &shapes);
         let is_said = |shape: &NotShown| {
@@ -131,7 +132,7 @@ impl RobotInspection {
             changes: changes(&model.text, &repaired.text),
             text: repaired.text,
         });
-        let links = model.links.iter().zip(stands.poses).zip(looks).map(|((link, pose), shapes)| {
+        let links = model.links.iter().zip(at_rest.poses).zip(looks).map(|((link, pose), shapes)| {
             let severity = severities.get(link.name.text.as_str()).copied();
             let inertial = inertial(model.format, link);
             RobotLink {
@@ -212,81 +213,6 @@ impl RobotFinding {
         let span = &model.links.get(link)?.name.span;
         Some(Self::at(places, span, Some(link), ["page.unplaced", "note"], message))
     }
-}
-
-/// Poses of the links in the model's frame, with all joints at zero.
-struct Stands {
-    poses: Vec<Pose>,
-    /// Links without a known pose: on a cycle, on a missing link, or beyond the range of f64. They
-    /// are placed at the origin.
-    unplaced: Vec<usize>,
-}
-
-impl Stands {
-    fn of(model: &RobotModel) -> Self {
-        let is_finite = |pose: &Pose| pose.position.iter().chain(&pose.rotation).all(|x| x.is_finite());
-        let poses = match model.format {
-            ModelFormat::Urdf | ModelFormat::Osim => down_the_tree(model),
-            // These formats give the poses of links directly.
-            ModelFormat::Sdf | ModelFormat::Mjcf | ModelFormat::Usd => {
-                model.links.iter().map(|link| Some(link.pose.clone())).collect()
-            }
-        };
-        let mut unplaced = Vec::new();
-        let poses = poses.into_iter().enumerate().map(|(k, pose)| {
-            pose.filter(is_finite).unwrap_or_else(|| {
-                unplaced.push(k);
-                Pose::IDENTITY
-            })
-        });
-        Self { poses: poses.collect(), unplaced }
-    }
-}
-
-/// Returns the poses of links from the joints that carry them, the first if there are several;
-/// `None` for links not connected to a root.
-fn down_the_tree(model: &RobotModel) -> Vec<Option<Pose>> {
-    let numbers = numbers(model);
-    let mut carried: Vec<Option<&Joint>> = vec![None; model.links.len()];
-    for joint in &model.joints {
-        let child = numbers.get(joint.child.text.as_str()).and_then(|&child| carried.get_mut(child));
-        if let Some(slot @ None) = child {
-            *slot = Some(joint);
-        }
-    }
-    let mut carries: Vec<Vec<(usize, &Joint)>> = vec![Vec::new(); model.links.len()];
-    let mut poses: Vec<Option<Pose>> = vec![None; model.links.len()];
-    let mut reached = Vec::with_capacity(model.links.len());
-    for (k, joint) in carried.into_iter().enumerate() {
-        let root = match joint {
-            None => Some(Pose::IDENTITY),
-            Some(joint) => match joint.parent.as_ref() {
-                None => Some(joint.pose.clone()),
-                Some(parent) => {
-                    let parent =
-                        numbers.get(parent.text.as_str()).and_then(|&parent| carries.get_mut(parent));
-                    parent.into_iter().for_each(|children| children.push((k, joint)));
-                    None
-                }
-            },
-        };
-        if let (Some(pose), Some(slot)) = (root, poses.get_mut(k)) {
-            *slot = Some(pose);
-            reached.push(k);
-        }
-    }
-    let mut next = 0;
-    while let Some(&k) = reached.get(next) {
-        next += 1;
-        let Some(outer) = poses.get(k).cloned().flatten() else { continue };
-        for &(child, joint) in carries.get(k).into_iter().flatten() {
-            if let Some(slot) = poses.get_mut(child) {
-                *slot = Some(outer.then(&joint.pose));
-                reached.push(child);
-            }
-        }
-    }
-    poses
 }
 
 /// Returns mass, centre and equivalent box in the link's frame; `None` if mass or centre are

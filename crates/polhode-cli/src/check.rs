@@ -37,6 +37,7 @@ use crate::stdout::{print, print_exact};
 Examples:
   polhode check robot.urdf
   polhode check robot.urdf --table
+  polhode check robot.urdf --nearest
   polhode check robot.urdf --html > robot.html
   polhode check robot.urdf --fix | patch -p1
   polhode check robot.urdf --fix robot-fixed.urdf
@@ -70,7 +71,7 @@ pub(crate) struct Check {
     force: bool,
     /// Print a rule with its reason, fix and example; without CODE, list all rules, one per line.
     #[arg(long, value_name = "CODE", num_args = 0..=1, conflicts_with_all = [
-        "files", "roots", "programs", "json", "table", "html", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
+        "files", "roots", "programs", "nearest", "json", "table", "html", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
     ])]
     explain: Option<Option<String>>,
 }
@@ -86,7 +87,7 @@ struct Form {
     json: bool,
     /// Print a table with one line per link: mass, centre, principal moments, equivalent box,
     /// density, verdict.
-    #[arg(long, conflicts_with = "json")]
+    #[arg(long, conflicts_with_all = ["json", "nearest"])]
     table: bool,
     /// Print a self-contained HTML page with the findings and all links.
     #[arg(long, conflicts_with_all = ["json", "table"])]
@@ -231,6 +232,10 @@ impl Check {
             (Some(Some(_)), _) if models != 1 => {
                 (format!("--fix writes one model, but {models} are named"), "fix them one by one")
             }
+            (Some(None), Format::Text) if self.request.nearest => (
+                "--fix without a file prints a diff, which has no nearest tensors".to_owned(),
+                "delete one of the two, or name the output file after --fix",
+            ),
             (Some(None), Format::Table) => (
                 "--fix without a file prints a diff, but --table prints a table".to_owned(),
                 "delete one of the two, or name the output file after --fix",

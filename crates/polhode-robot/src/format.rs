@@ -30,7 +30,7 @@ struct Item<'a> {
     severity: Severity,
     /// Name of the link or joint; empty for the whole file.
     subject: &'a str,
-    message: &'a str,
+    message: Cow<'a, str>,
     rule: &'a str,
     id: String,
     /// Reason why the finding does not count, if it is settled.
@@ -64,7 +64,7 @@ impl FileChecked {
             code: finding.code,
             severity: finding.severity,
             subject: &finding.subject,
-            message: &finding.message,
+            message: message(finding),
             rule: &finding.rule,
             id: id.to_owned(),
             settled,
@@ -132,7 +132,7 @@ impl Checked {
                 code: remark.code,
                 severity: remark.severity?,
                 subject: "",
-                message: &remark.message,
+                message: Cow::Borrowed(&remark.message),
                 rule: crate::rule::rule(remark.code).map_or("", |rule| rule.title),
                 id: remark.id(),
                 settled: None,
@@ -167,10 +167,17 @@ impl Checked {
     }
 }
 
+/// Returns the message, with the nearest possible tensors if they were requested.
+fn message(finding: &Finding) -> Cow<'_, str> {
+    let Some(nearest) = &finding.nearest else { return Cow::Borrowed(&finding.message) };
+    let lines = nearest.lines().map(|(label, line)| format!("; {label}{line}"));
+    Cow::Owned(format!("{}{}", finding.message, lines.concat()))
+}
+
 /// Returns subject and message: `arm: i1 + i2 = …`.
 fn about(item: &Item<'_>) -> String {
     if item.subject.is_empty() {
-        item.message.to_owned()
+        item.message.to_string()
     } else {
         format!("{}: {}", item.subject, item.message)
     }

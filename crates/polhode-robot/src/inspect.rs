@@ -17,6 +17,15 @@ pub struct Inspection {
     pub findings: Vec<Finding>,
 }
 
+impl Inspection {
+    /// Returns the inspection without proposals of nearest possible tensors.
+    #[must_use]
+    pub fn without_nearest(mut self) -> Self {
+        self.findings.iter_mut().for_each(|finding| finding.nearest = None);
+        self
+    }
+}
+
 /// Measures and checks a model. `shapes` caches the meshes for the next model.
 ///
 /// ```

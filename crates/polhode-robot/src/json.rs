@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use crate::finding::{Finding, Repair};
+use crate::finding::{Finding, NearestTensor, Proposal, Repair};
 use crate::line_index::{FilePlace, Places};
 use crate::policy::{Reason, Settled};
 use crate::repair::Left;
@@ -96,10 +96,24 @@ fn finding(places: &Places<'_>, text: &str, finding: &Finding, id: &str) -> Valu
         "numbers": numbers,
         "repair": finding.repair.as_ref().map(|repair| self::repair(places, text, repair)),
     });
+    if let Some(proposal) = &finding.nearest {
+        object["nearest"] = nearest(proposal);
+    }
     if let Some(object) = object.as_object_mut().filter(|_| is_included) {
         object.insert("file".to_owned(), file.to_string_lossy().into());
     }
     object
+}
+
+/// Returns the nearest possible tensors, or the reasons why there is none.
+fn nearest(Proposal { frobenius, affine_invariant }: &Proposal) -> Value {
+    let one = |nearest: &Result<NearestTensor, String>| match nearest {
+        Ok(NearestTensor { tensor: [ixx, iyy, izz, ixy, ixz, iyz], distance, .. }) => json!({
+            "ixx": ixx, "iyy": iyy, "izz": izz, "ixy": ixy, "ixz": ixz, "iyz": iyz, "distance": distance,
+        }),
+        Err(why) => json!({ "none": why.trim_start_matches("none: ") }),
+    };
+    json!({ "frobenius": one(frobenius), "affine_invariant": one(affine_invariant) })
 }
 
 fn repair(places: &Places<'_>, text: &str, repair: &Repair) -> Value {

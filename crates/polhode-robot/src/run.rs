@@ -183,7 +183,9 @@ impl<'a> Inputs<'a> {
         shapes: &Shapes<'_>,
         reading: &ReadOptions<'_>,
     ) -> Result<CheckReport, Failure> {
-        let Inspection { geometry, findings } = inspect_for(&model, shapes, &self.request.programs);
+        let found = inspect_for(&model, shapes, &self.request.programs);
+        let found = if self.request.nearest { found } else { found.without_nearest() };
+        let Inspection { geometry, findings } = found;
         let judged = self.judge(file, &model, findings);
         let mut report = CheckReport::new(model, geometry, judged);
         let has_repairs = report.findings().iter().any(|finding| finding.repair.is_some());

@@ -5,6 +5,10 @@
  */
 export type CheckReport = File | File[];
 export type File = Checked | Unreadable;
+/**
+ * Nearest possible tensor, about the centre of mass along the inertial's axes.
+ */
+export type Nearest = Proposed | None;
 
 /**
  * Model that was checked.
@@ -166,6 +170,13 @@ export interface Finding {
   };
   repair: Repair | null;
   /**
+   * Possible tensors nearest to an impossible one, if requested.
+   */
+  nearest?: {
+    frobenius: Nearest;
+    affine_invariant: Nearest;
+  };
+  /**
    * Path of the included file that contains it.
    */
   file?: string;
@@ -203,6 +214,48 @@ export interface Repair {
      */
     new: string;
   }[];
+}
+/**
+ * Proposed tensor, and its distance in one metric.
+ */
+export interface Proposed {
+  /**
+   * Moment, kg·m².
+   */
+  ixx: number;
+  /**
+   * Moment, kg·m².
+   */
+  iyy: number;
+  /**
+   * Moment, kg·m².
+   */
+  izz: number;
+  /**
+   * Product -∫xy dm, kg·m².
+   */
+  ixy: number;
+  /**
+   * Product -∫xz dm, kg·m².
+   */
+  ixz: number;
+  /**
+   * Product -∫yz dm, kg·m².
+   */
+  iyz: number;
+  /**
+   * Distance, kg·m² in the Frobenius norm; a number in the affine-invariant metric.
+   */
+  distance: number;
+}
+/**
+ * No tensor at a finite distance.
+ */
+export interface None {
+  /**
+   * Reason.
+   */
+  none: string;
 }
 /**
  * Fixes, if requested.

@@ -107,7 +107,7 @@ fn row(item: &Item<'_>) -> [String; 5] {
     let (line, column) = item.start;
     [
         printable(item.subject),
-        format!("{} [{}]", printable(item.message), item.code),
+        format!("{} [{}]", printable(&item.message), item.code),
         printable(item.rule),
         item.repair.as_ref().map_or_else(|| "—".to_owned(), |(fix, _)| printable(fix)),
         printable(&format!("{}:{line}:{column}", item.file)),

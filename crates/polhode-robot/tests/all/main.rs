@@ -26,6 +26,7 @@ mod mimic;
 mod mjcf;
 mod mjcf_compiler;
 mod mjcf_made;
+mod nearest;
 mod osim;
 mod packages;
 mod planted;

@@ -208,6 +208,7 @@ static CHECK: Subcommand = Subcommand {
     options: &[
         choice("--root", &["--root", "packages"], MODELS, &[]),
         choice("--for", &["--for", "mujoco"], MODELS, &[]),
+        choice("--nearest", &["--nearest"], MODELS, &[]),
         choice("--json", &["--json"], MODELS, &[]),
         choice("--table", &["--table"], MODELS, &[]),
         choice("--html", &["--html"], MODELS, &[]),

@@ -11,7 +11,6 @@ use polhode_robot::policy::date::Date;
 use polhode_robot::report::CheckReport;
 use polhode_robot::rule::{list, rule, rules};
 use polhode_robot::{Checked, Format, Inputs, Progress, Request};
-use polhode_source::files::Disk;
 use polhode_source::shown;
 
 use crate::failure::Failure;
@@ -20,6 +19,7 @@ use crate::partial;
 use crate::progress::FileProgress;
 use crate::stderr::tell;
 use crate::stdout::{print, print_exact};
+use crate::xacro::{XacroFlags, require_not_expanded};
 
 /// Check the inertias of a robot or simulation model: URDF, SDF, MJCF, USD, OpenSim.
 ///
@@ -44,6 +44,7 @@ Examples:
   polhode check src/ --root src --json | jq '.[].findings[]'
   polhode check world.sdf --root models --strict
   polhode check robot.urdf --for mujoco --for drake
+  polhode check robot.urdf.xacro --xacro --xacro-arg prefix:=left_
   polhode check src/ --fail-on impossible --format sarif --output check.sarif
   polhode check src/ --write-baseline known.json
   polhode check src/ --baseline known.json
@@ -52,6 +53,8 @@ Examples:
 pub(crate) struct Check {
     #[command(flatten)]
     request: Request,
+    #[command(flatten)]
+    xacro: XacroFlags,
     #[command(flatten)]
     form: Form,
     /// Write the results to FILE, completely or not at all, and print nothing.
@@ -71,7 +74,7 @@ pub(crate) struct Check {
     force: bool,
     /// Print a rule with its reason, fix and example; without CODE, list all rules, one per line.
     #[arg(long, value_name = "CODE", num_args = 0..=1, conflicts_with_all = [
-        "files", "roots", "programs", "nearest", "json", "table", "html", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
+        "files", "roots", "programs", "nearest", "xacro", "json", "table", "html", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
     ])]
     explain: Option<Option<String>>,
 }
@@ -114,7 +117,11 @@ impl Check {
         let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
         self.request.today = Some(Date::of_days(seconds / 86_400));
         self.request.fix = self.out.is_some();
-        let inputs = Inputs::find(&self.request, &Disk)?;
+        let files = self.xacro.expand(&self.request.files)?;
+        if self.fixed().is_some() {
+            require_not_expanded(&files, "--fix")?;
+        }
+        let inputs = Inputs::find(&self.request, &files)?;
         for [again, first] in inputs.repeated() {
             tell(&format!("{} is the same file as {}; it is checked once\n", shown(again), shown(first)));
         }

@@ -98,6 +98,12 @@ impl FileChecked {
     /// folder.
     fn name_of<'a>(&'a self, model: &RobotModel, place: FilePlace<'a>) -> Cow<'a, str> {
         if !place.is_included {
+            return match model.expansion {
+                Some(_) => Cow::Owned(format!("{} (expanded)", self.name)),
+                None => Cow::Borrowed(&self.name),
+            };
+        }
+        if place.file == model.path {
             return Cow::Borrowed(&self.name);
         }
         // Paths of included files are canonical.

@@ -7,6 +7,7 @@ use crate::geometry::Shapes;
 use crate::model::{GeometryShape, Link, Note, RobotModel, Role, Span};
 use crate::program::Program;
 use crate::rule::rule;
+use crate::trace::trace;
 
 /// Result of an inspection.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -50,6 +51,7 @@ pub fn inspect_for(model: &RobotModel, shapes: &Shapes<'_>, programs: &[Program]
         findings.append(&mut unmeasured_shapes(link, geometry, shapes));
     }
     findings.extend(model.notes.iter().map(of_note));
+    trace(model, &mut findings);
     findings.sort_by_key(|finding| finding.span.start);
     Inspection { geometry, findings }
 }

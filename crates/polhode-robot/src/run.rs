@@ -202,7 +202,9 @@ impl<'a> Inputs<'a> {
         let fixed = proved(&report.model, report.findings(), check);
         if self.request.fix {
             let (repaired, remaining) = fixed.map_err(|error| unreadable(&error))?;
-            let diff = repaired.diff(&report.model, report.findings(), &self.names.real(&report.model.path));
+            let name = self.names.real(&report.model.path);
+            let name = if report.model.expansion.is_some() { format!("{name} (expanded)") } else { name };
+            let diff = repaired.diff(&report.model, report.findings(), &name);
             report.fixed = Some(Fixed { out: None, repaired, diff, remaining });
         } else {
             report.prospect = fixed.ok().map(|(repaired, remaining)| Prospect::of(&repaired, &remaining));

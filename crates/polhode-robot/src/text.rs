@@ -41,7 +41,7 @@ impl CheckReport {
                 paragraph(&mut text, "fix: ", &repair.description);
             }
             for (label, line) in finding.nearest.iter().flat_map(Proposal::lines) {
-                paragraph(&mut text, label, line);
+                paragraph(&mut text, "", &format!("{label}{line}"));
             }
         }
         self.write_settled(&mut text, &places);
@@ -156,6 +156,11 @@ impl CheckReport {
         }
         let Prospect { changes, remaining } = self.prospect();
         let values = counted(changes, "value");
+        if changes > 0 && self.model.expansion.is_some() {
+            return format!(
+                "--fix prints the correction of {values} in the expanded text; edit the macros.\n"
+            );
+        }
         match (changes, remaining) {
             (0, 0) => String::new(),
             (0, _) => format!("No automatic fix is certain: {} a manual fix.\n", needs(remaining)),

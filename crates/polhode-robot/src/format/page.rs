@@ -99,7 +99,8 @@ impl Checked {
 
     /// Returns the option that writes fixes; only one model can be written.
     fn fix_form(&self) -> &'static str {
-        if self.files.len() == 1 { "--fix OUT" } else { "--fix" }
+        let is_expanded = self.reports().any(|report| report.model.expansion.is_some());
+        if self.files.len() == 1 && !is_expanded { "--fix OUT" } else { "--fix" }
     }
 }
 

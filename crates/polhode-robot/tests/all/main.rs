@@ -45,3 +45,4 @@ mod urdf;
 mod usd;
 mod usd_stated;
 mod valid_models;
+mod xacro;

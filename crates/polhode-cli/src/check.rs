@@ -74,7 +74,7 @@ pub(crate) struct Check {
     force: bool,
     /// Print a rule with its reason, fix and example; without CODE, list all rules, one per line.
     #[arg(long, value_name = "CODE", num_args = 0..=1, conflicts_with_all = [
-        "files", "roots", "programs", "nearest", "xacro", "json", "table", "html", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
+        "files", "roots", "programs", "nearest", "xacro", "xacro_args", "json", "table", "html", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
     ])]
     explain: Option<Option<String>>,
 }

@@ -199,7 +199,7 @@ static INERTIA: Subcommand = Subcommand {
     ],
 };
 
-const MODELS: &[&str] = &["noted", "flawed", "flawed again"];
+const MODELS: &[&str] = &["noted", "flawed", "flawed again", "broken"];
 
 static CHECK: Subcommand = Subcommand {
     name: "check",
@@ -207,6 +207,7 @@ static CHECK: Subcommand = Subcommand {
         ("noted", &["model.urdf"]),
         ("flawed", &["model.urdf"]),
         ("flawed again", &["model.urdf"]),
+        ("broken", &["model.urdf"]),
         ("unnamed rules", &[]),
     ],
     options: &[
@@ -214,7 +215,7 @@ static CHECK: Subcommand = Subcommand {
         choice("--for", &["--for", "mujoco"], MODELS, &[]),
         choice("--xacro", &["--xacro"], MODELS, &[]),
         choice("--xacro-arg", &["--xacro-arg", "side:=left"], MODELS, &["--xacro"]),
-        choice("--nearest", &["--nearest"], MODELS, &[]),
+        choice("--nearest", &["--nearest"], &["broken"], &[]),
         choice("--json", &["--json"], MODELS, &[]),
         choice("--table", &["--table"], MODELS, &[]),
         choice("--html", &["--html"], MODELS, &[]),
@@ -225,7 +226,7 @@ static CHECK: Subcommand = Subcommand {
         choice("--config", &["--config", "rules.toml"], MODELS, &[]),
         choice("--baseline", &["--baseline", "known.json"], MODELS, &[]),
         choice("--write-baseline", &["--write-baseline", "found.json"], MODELS, &[]),
-        choice("--fix", &["--fix", "fixed.urdf"], &["flawed"], &[]),
+        choice("--fix", &["--fix", "fixed.urdf"], &["flawed", "broken"], &[]),
         choice("--force", &["--force"], &["flawed again"], &["--fix"]),
         choice("--explain", &["--explain", "inertia.unit"], &["unnamed rules"], &[]),
     ],
@@ -236,6 +237,9 @@ static CHECK: Subcommand = Subcommand {
         ("--for", "--fail-on", "an error of --for fails in any case"),
         ("--strict", "--write-baseline", "what is written is known, whatever it is"),
         ("--fail-on", "--write-baseline", "what is written is known, whatever it is"),
+        ("--nearest", "--strict", "an impossible tensor fails in any case"),
+        ("--nearest", "--fail-on", "an impossible tensor fails in any case"),
+        ("--nearest", "--force", "tried on different models"),
         ("--force", "--html", "refused: --fix, with which --force is tried here, has no such form"),
         ("--force", "--format", "refused: --fix, with which --force is tried here, has no such form"),
     ],

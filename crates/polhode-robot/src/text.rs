@@ -58,7 +58,7 @@ impl CheckReport {
         };
         let by_link = self.link_counts();
         let nearest = if self.findings().iter().any(|finding| finding.nearest.is_some()) {
-            "nearest possible tensors: for the same mass and centre of mass; a measured or computed tensor is better\n"
+            "nearest possible tensors: for the same mass and centre of mass; a fix, a measured or a computed tensor is better\n"
         } else {
             ""
         };

@@ -177,7 +177,7 @@ export interface Finding {
     affine_invariant: Nearest;
   };
   /**
-   * Path of the included file that contains it.
+   * Path of the included file that contains it; for a xacro file, of the macro, or the name of the expanded text.
    */
   file?: string;
   /**
@@ -213,6 +213,10 @@ export interface Repair {
      * New text.
      */
     new: string;
+    /**
+     * Name of the expanded text of a xacro file.
+     */
+    file?: string;
   }[];
 }
 /**

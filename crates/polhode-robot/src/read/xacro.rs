@@ -34,9 +34,8 @@ pub(super) fn add_sources(model: &mut RobotModel, files: &dyn Files, roots: &Roo
     while let Some(path) = waiting.get(number).cloned() {
         number += 1;
         let text = read_text_file(files, &path, |text| Ok(text.to_owned()));
-        let Some((text, included)) =
-            text.ok().and_then(|text| Some((included(&text)?, text)).map(|(a, b)| (b, a)))
-        else {
+        let named = |text: String| included(&text).map(|included| (text, included));
+        let Some((text, included)) = text.ok().and_then(named) else {
             is_whole = false;
             continue;
         };

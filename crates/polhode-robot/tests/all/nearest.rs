@@ -95,7 +95,7 @@ fn every_format_has_the_proposals_only_if_requested() {
     }
     let text = words(BROKEN[1]);
     for line in [
-        "nearest possible tensors: for the same mass and centre of mass; a measured or computed tensor is better",
+        "nearest possible tensors: for the same mass and centre of mass; a fix, a measured or a computed tensor is better",
         "nearest possible tensor, Frobenius: ixx ",
         "nearest possible tensor, affine-invariant: ixx ",
         "kg·m², a flat body; distance ",

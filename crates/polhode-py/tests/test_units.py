@@ -141,7 +141,7 @@ def numbers_of(found: Any) -> np.ndarray:
     if isinstance(found, polhode.results.Motion):
         return np.concatenate([found.times, found.omega.ravel()])
     if isinstance(found, tuple):
-        return np.concatenate([np.ravel(part) for part in found if part is not None])
+        return np.concatenate([numbers_of(part) if isinstance(part, tuple) else np.ravel(part) for part in found if part is not None])
     if isinstance(found, polhode.results.EnsembleStates):
         return np.concatenate([part.ravel() for part in found])
     if isinstance(found, polhode.results.MotionError):

@@ -41,8 +41,12 @@ pub(crate) fn trace(model: &RobotModel, findings: &mut [Finding]) {
             continue;
         };
         let candidates: Vec<&Made<'_>> = made.iter().filter(|made| made.can_be(named)).collect();
-        let certain: Vec<&&Made<'_>> = candidates.iter().filter(|made| made.is_certain()).collect();
+        let is_certain = |made: &&&Made<'_>| made.is_certain() && made.source.path == model.path;
+        let certain: Vec<&&Made<'_>> = candidates.iter().filter(is_certain).collect();
+        // Elements of one name cannot be told apart.
+        let is_named_once = root.named(named.name()).filter(|other| same_name(*other, named)).count() == 1;
         let origin = match (certain.as_slice(), candidates.as_slice()) {
+            _ if !is_named_once => None,
             ([one], _) => Some(**one),
             ([], [one]) if expansion.is_whole => Some(*one),
             _ => None,
@@ -81,10 +85,15 @@ impl Made<'_> {
             && expanded.word("name").is_some_and(|name| matches(self.name, name))
     }
 
-    /// Returns true if the element is in the expanded text under its own name, once.
+    /// Returns true if the expanded text has the element under its own name, if it has the top
+    /// level of the element's file.
     fn is_certain(&self) -> bool {
         self.of_macro.is_none() && !self.is_conditional && !self.name.contains('$')
     }
+}
+
+fn same_name(one: Element<'_>, other: Element<'_>) -> bool {
+    one.word("name") == other.word("name")
 }
 
 /// Returns the links and joints of a file with macros.

@@ -78,7 +78,7 @@ def nearest_possible(
     >>> nearest.frobenius.inertia.diagonal().round(3)
     array([1.1, 1.1, 2.2])
     >>> round(nearest.affine_invariant.distance, 4)
-    0.1145
+    0.1141
     """
     tensor = np.asarray(_arrays.tensor("inertia", inertia))
     if about is not None:

@@ -134,7 +134,7 @@ fn xacro(path: &Path, span: Span) -> ContentError {
     };
     ContentErrorKind::unsupported(what)
         .at(span)
-        .hint(format!("expand it first: xacro {file} > {out}; the command does so with --xacro"))
+        .hint(format!("expand it first: xacro {file} > {out}, or use --xacro"))
 }
 
 fn link(element: Element<'_>, roots: &Roots<'_>, notes: &mut Vec<Note>) -> Link {

@@ -193,6 +193,17 @@ fn an_ambiguous_finding_stays_in_the_expanded_text() {
     let unknown = checked(&unknown, HAND);
     stays(&unknown, "left_hand", "; expanded from arm.urdf.xacro");
     assert_eq!(place(&unknown, "base").0, PATH);
+    // Two elements of one name.
+    let two = EXPANDED.replace("</robot>", "<link name=\"base\"/></robot>");
+    stays(&checked_as(ARM, HAND, &two, Request::default()), "base", "; expanded from arm.urdf.xacro");
+    // A literal link of an included file, which may be included under a condition.
+    let hand = HAND
+        .replace("${side}_hand\">", "left_hand\">")
+        .replace("<xacro:macro name=\"hand\" params=\"side\">", "");
+    let hand = hand.replace("</xacro:macro>", "");
+    assert_eq!(place(&checked(ARM, &hand), "left_hand").0, "ws/arm/parts/hand.xacro");
+    let unknown = ARM.replace("<xacro:property", "<xacro:include filename=\"$(arg f)\"/><xacro:property");
+    stays(&checked(&unknown, &hand), "left_hand", "; expanded from arm.urdf.xacro");
     // No file has the link.
     stays(&checked(ARM, "<robot/>"), "left_hand", "; expanded from arm.urdf.xacro");
     for form in [Format::Text, Format::Sarif, Format::Github, Format::Junit, Format::Gitlab] {

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::moments::Elements;
 use crate::span::Span;
 
 /// Severity of a finding.
@@ -125,8 +124,8 @@ pub struct Proposal {
 pub struct NearestTensor {
     /// Description, one line: `"ixx 1.33334, …, iyz 0 kg·m², a flat body; distance …"`.
     pub description: String,
-    /// Elements, kg·m², rounded such that the tensor is possible.
-    pub tensor: Elements,
+    /// Elements xx, yy, zz, xy, xz, yz, kg·m², rounded such that the tensor is possible.
+    pub tensor: [f64; 6],
     /// Distance of the unrounded tensor, kg·m², or without a unit in the affine-invariant metric.
     pub distance: f64,
 }

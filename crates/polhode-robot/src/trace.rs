@@ -33,8 +33,9 @@ pub(crate) fn trace(model: &RobotModel, findings: &mut [Finding]) {
         let root = expanded.root();
         let Some(named) = root.children().find(|child| holds(child.span(), &finding.span)) else {
             // A finding about the whole model is at its root element.
-            if let Some((source, forest)) =
-                forests.first().filter(|_| finding.span.start <= root.span().start)
+            if let Some((source, forest)) = forests
+                .first()
+                .filter(|(source, _)| source.path == model.path && finding.span.start <= root.span().start)
             {
                 finding.span = moved(source, forest.root().span());
             }
@@ -161,8 +162,7 @@ fn literals(pattern: &str) -> Vec<String> {
 /// value of an attribute, or the innermost element on the way to it that is there once.
 fn place(expanded: Element<'_>, made: Element<'_>, span: &Span) -> Span {
     let (mut expanded, mut made) = (expanded, made);
-    loop {
-        let Some(inner) = expanded.children().find(|child| holds(child.span(), span)) else { break };
+    while let Some(inner) = expanded.children().find(|child| holds(child.span(), span)) {
         let [theirs, ours] = [expanded, made].map(|element| element.named(inner.name()).count());
         // Elements of macros and conditions may make further ones.
         let is_plain = made.children().all(|child| !child.name().starts_with("xacro_"));

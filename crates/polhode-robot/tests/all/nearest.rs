@@ -61,7 +61,7 @@ fn what_is_printed_is_possible_and_as_near_as_stated() {
             let (tensor, distance) = proposed(&finding["nearest"][metric]);
             let [a, b, c, d, e, f] = tensor;
             InertiaTensor::<Body>::with_negative_products([a, b, c], [d, e, f]).unwrap();
-            // Six digits: each element is rounded by at most 5e-6 of itself, or raised by as much.
+            // Six digits: each element is off by at most 5e-6 (relative), or raised by as much.
             let rounded = |x: &f64| format!("{x:.5e}").parse::<f64>().unwrap() == *x;
             assert!(tensor.iter().all(rounded), "{tensor:?}");
             let change: f64 =

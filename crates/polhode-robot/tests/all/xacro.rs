@@ -1,4 +1,5 @@
-//! Findings about expanded xacro files, traced to their macros. The expansions are those of xacro 2.1.1.
+//! Findings about expanded xacro files, traced to their macros. The expansions are as those of
+//! xacro 2.1.1.
 
 use polhode_document::Report as _;
 use polhode_robot::{Checked, Format, REPORT_SCHEMA, Request, compare, run};

@@ -11,7 +11,6 @@ use polhode_robot::policy::date::Date;
 use polhode_robot::report::CheckReport;
 use polhode_robot::rule::{list, rule, rules};
 use polhode_robot::{Checked, Format, Inputs, Progress, Request};
-use polhode_source::files::Disk;
 use polhode_source::shown;
 
 use crate::failure::Failure;
@@ -20,6 +19,7 @@ use crate::partial;
 use crate::progress::FileProgress;
 use crate::stderr::tell;
 use crate::stdout::{print, print_exact};
+use crate::xacro::{XacroFlags, require_not_expanded};
 
 /// Check the inertias of a robot or simulation model: URDF, SDF, MJCF, USD, OpenSim.
 ///
@@ -37,12 +37,14 @@ use crate::stdout::{print, print_exact};
 Examples:
   polhode check robot.urdf
   polhode check robot.urdf --table
+  polhode check robot.urdf --nearest
   polhode check robot.urdf --html > robot.html
   polhode check robot.urdf --fix | patch -p1
   polhode check robot.urdf --fix robot-fixed.urdf
   polhode check src/ --root src --json | jq '.[].findings[]'
   polhode check world.sdf --root models --strict
   polhode check robot.urdf --for mujoco --for drake
+  polhode check robot.urdf.xacro --xacro --xacro-arg prefix:=left_
   polhode check src/ --fail-on impossible --format sarif --output check.sarif
   polhode check src/ --write-baseline known.json
   polhode check src/ --baseline known.json
@@ -51,6 +53,8 @@ Examples:
 pub(crate) struct Check {
     #[command(flatten)]
     request: Request,
+    #[command(flatten)]
+    xacro: XacroFlags,
     #[command(flatten)]
     form: Form,
     /// Write the results to FILE, completely or not at all, and print nothing.
@@ -70,7 +74,7 @@ pub(crate) struct Check {
     force: bool,
     /// Print a rule with its reason, fix and example; without CODE, list all rules, one per line.
     #[arg(long, value_name = "CODE", num_args = 0..=1, conflicts_with_all = [
-        "files", "roots", "programs", "json", "table", "html", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
+        "files", "roots", "programs", "nearest", "xacro", "xacro_args", "json", "table", "html", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
     ])]
     explain: Option<Option<String>>,
 }
@@ -86,7 +90,7 @@ struct Form {
     json: bool,
     /// Print a table with one line per link: mass, centre, principal moments, equivalent box,
     /// density, verdict.
-    #[arg(long, conflicts_with = "json")]
+    #[arg(long, conflicts_with_all = ["json", "nearest"])]
     table: bool,
     /// Print a self-contained HTML page with the findings and all links.
     #[arg(long, conflicts_with_all = ["json", "table"])]
@@ -113,7 +117,11 @@ impl Check {
         let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs());
         self.request.today = Some(Date::of_days(seconds / 86_400));
         self.request.fix = self.out.is_some();
-        let inputs = Inputs::find(&self.request, &Disk)?;
+        let files = self.xacro.expand(&self.request.files)?;
+        if self.fixed().is_some() {
+            require_not_expanded(&files, "--fix")?;
+        }
+        let inputs = Inputs::find(&self.request, &files)?;
         for [again, first] in inputs.repeated() {
             tell(&format!("{} is the same file as {}; it is checked once\n", shown(again), shown(first)));
         }
@@ -231,6 +239,10 @@ impl Check {
             (Some(Some(_)), _) if models != 1 => {
                 (format!("--fix writes one model, but {models} are named"), "fix them one by one")
             }
+            (Some(None), Format::Text) if self.request.nearest => (
+                "--fix without a file prints a diff, which has no nearest tensors".to_owned(),
+                "delete one of the two, or name the output file after --fix",
+            ),
             (Some(None), Format::Table) => (
                 "--fix without a file prints a diff, but --table prints a table".to_owned(),
                 "delete one of the two, or name the output file after --fix",

@@ -8,13 +8,13 @@ use polhode_document::Report as _;
 use polhode_document::layout::printable_lines;
 use polhode_robot::Format;
 use polhode_robot::compare::{Request, run};
-use polhode_source::files::Disk;
 use polhode_source::shown;
 
 use crate::failure::Failure;
 use crate::partial;
 use crate::same_file::is_same;
 use crate::stdout::print;
+use crate::xacro::XacroFlags;
 
 /// Compare two models of one robot, link by link: URDF, SDF, MJCF, USD, OpenSim.
 ///
@@ -29,12 +29,15 @@ use crate::stdout::print;
 Examples:
   polhode compare robot.urdf robot.xml
   polhode compare old.urdf new.urdf --tolerance 1e-4
+  polhode compare robot.urdf robot.urdf.xacro --xacro
   polhode compare robot.urdf robot-fixed.urdf --json
   polhode compare robot.urdf robot.usda --map names.toml
   polhode compare robot.urdf robot.sdf --format junit --output compare.xml")]
 pub(crate) struct Compare {
     #[command(flatten)]
     request: Request,
+    #[command(flatten)]
+    xacro: XacroFlags,
     /// Output format of the differences and notes.
     #[arg(long, value_enum, value_name = "FORM", conflicts_with = "json")]
     format: Option<Format>,
@@ -54,7 +57,8 @@ impl Compare {
         if let Some(output) = &self.output {
             self.require_free(output)?;
         }
-        let comparison = run(&self.request, &Disk)?;
+        let files = self.xacro.expand([&self.request.a, &self.request.b])?;
+        let comparison = run(&self.request, &files)?;
         let form = if self.json { Format::Json } else { self.format.unwrap_or_default() };
         let text = comparison.to_form(form);
         match &self.output {

@@ -15,7 +15,7 @@ use polhode_scenario::report::exact_tensor;
 use polhode_scenario::symbolic::Exact;
 use polhode_shape::report::InertiaReport;
 use polhode_shape::{Host, Kind, Request, run_in};
-use polhode_source::files::Disk;
+use polhode_source::files::{Disk, Overlay};
 
 #[cfg(not(feature = "robot"))]
 use self::no_robot as robot;
@@ -65,15 +65,18 @@ impl Inertia {
         if let Some(file) = &self.request.mesh.write_mesh {
             page::check_file(file, self.force)?;
         }
-        if let Some(done) = robot::write_inertials(&self.request, &self.robot, &self.output, self.force) {
+        let models = robot::expanded(&self.request.files, &self.robot)?;
+        if let Some(done) =
+            robot::write_inertials(&self.request, &self.robot, &self.output, self.force, &models)
+        {
             return done;
         }
-        let mut host = Command { robot: &self.robot, files: None, samples: None };
+        let mut host = Command { robot: &self.robot, models: &models, files: None, samples: None };
         let steps = if self.symbols { self.in_symbols(&host)? } else { String::new() };
         let fits = |file: &Path| self.request.kind(file, &Disk, &host).map(drop);
         // A shape with --table is refused below.
         if !self.request.primitive.is_given()
-            && let Some(done) = robot::tables(&self.request.files, &self.robot, &self.output, fits)
+            && let Some(done) = robot::tables(&self.request.files, &self.robot, &self.output, &models, fits)
         {
             return done;
         }
@@ -131,13 +134,15 @@ impl Inertia {
 /// Readers of scenarios and robot models, and progress on the terminal.
 struct Command<'a> {
     robot: &'a RobotFlags,
+    /// Files of this machine, with the expansions of xacro files.
+    models: &'a Overlay<'a>,
     files: Option<FileProgress>,
     samples: Option<SampleProgress>,
 }
 
 impl Host for Command<'_> {
     fn is_robot(&self, file: &Path) -> bool {
-        robot::is_model(file)
+        robot::is_model(file, self.models)
     }
 
     fn robot_option(&self) -> Option<&'static str> {
@@ -146,7 +151,7 @@ impl Host for Command<'_> {
 
     fn reports(&self, file: &Path, kind: Kind) -> Result<Vec<InertiaReport>, polhode_source::Failure> {
         match kind {
-            Kind::Robot => robot::reports(file, self.robot),
+            Kind::Robot => robot::reports(file, self.robot, self.models),
             _ => Ok(vec![ScenarioFile::read(&Disk, file)?.inertia()]),
         }
     }

@@ -49,6 +49,8 @@ mod sweep;
 mod table;
 mod torque;
 mod written;
+#[cfg(feature = "robot")]
+mod xacro;
 
 use std::ffi::OsString;
 

@@ -20,11 +20,13 @@ pub(crate) fn check_file(
     py: Python<'_>,
     path: PathBuf,
     roots: Vec<PathBuf>,
+    nearest: bool,
 ) -> PyResult<(String, String, String)> {
     py.detach(|| {
         let model =
             read_model(&path, &ReadOptions { roots, ..ReadOptions::default() }).map_err(Raise::raise)?;
-        let Inspection { geometry, findings } = inspect(&model, &Shapes::default());
+        let found = inspect(&model, &Shapes::default());
+        let Inspection { geometry, findings } = if nearest { found } else { found.without_nearest() };
         let judged = Policy::default().judge(|path| path.to_string_lossy().into_owned(), &model, findings);
         let report = CheckReport::new(model, geometry, judged);
         Ok((report.to_json().to_string(), report.to_text(), report.to_table()))

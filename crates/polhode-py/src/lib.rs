@@ -40,6 +40,7 @@ mod mesh;
 #[cfg(not(feature = "default"))]
 mod missing;
 mod motion;
+mod nearest;
 #[cfg(not(feature = "robot"))]
 mod no_robot;
 mod pickle;
@@ -109,6 +110,8 @@ mod _native {
     use crate::missing::missing;
     #[pymodule_export]
     use crate::motion::{PyMotion, motion_page, simulate};
+    #[pymodule_export]
+    use crate::nearest::nearest_tensors;
     #[cfg(not(feature = "robot"))]
     #[pymodule_export]
     use crate::no_robot::is_robot;

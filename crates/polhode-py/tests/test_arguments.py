@@ -95,7 +95,8 @@ def functions() -> dict[Callable[..., object], dict[str, Any]]:
         },
         polhode.Ensemble.from_scenarios: {"scenarios": [polhode.Scenario(body)]},
         polhode.simulate: {"scenario": ROOT / "examples" / "t-handle.toml", "times": [0.0, 1.0], "error": "cheap"},
-        polhode.check: {"path": ROOT / "examples" / "robots" / "arm.urdf", "roots": []},
+        polhode.check: {"path": ROOT / "examples" / "robots" / "arm.urdf", "roots": [], "nearest": True},
+        polhode.nearest_possible: {"inertia": [1.0, 1.1, 2.9], "about": [0.1, 0.0, 0.2], "mass": 1.0, "center_of_mass": [0, 0, 0]},
         polhode.compare: {"a": ROOT / "examples" / "robots" / "arm.urdf", "b": ROOT / "examples" / "robots" / "arm.xml", "tolerance": 1e-5, "map": None, "roots": []},
         polhode.fixed_groups: {"path": ROOT / "examples" / "robots" / "arm.urdf"},
         polhode.write_inertials: {

@@ -210,6 +210,8 @@ def everything(tmp_path: Path) -> list[object]:
         joined.derivatives(about={"mesh": [0.1, 0.2, 0.3]}),
         polhode.particle_derivatives(masses=[0.3, 1.1, 2.0], positions=[[0.1, -0.4, 0.2], [0.7, 0.1, -0.3], [-0.2, 0.5, 0.9]]),
         polhode.mesh_derivatives(corner, material="aluminium"),
+        polhode.nearest_possible([[0.7, 0.1, -0.2], [0.1, 1.1, 0.05], [-0.2, 0.05, 2.6]]),
+        polhode.nearest_possible([0.7, 1.1, 2.6]).frobenius,
         free,
         polhode.FreeMotion(moments=[1, 2, 9], omega=[0.3, -0.5, 0.9], allow_unphysical=True),
         free.at([0.0, 2.5, -7.0]),

@@ -30,7 +30,7 @@ PINT = pint.UnitRegistry()
 NEITHER = set(
     """a allow_unphysical arguments ax axes_names b basis bias body center changes check clock columns configuration contact convention decimal derivatives drag draws edge ends
     engine error events field findings flight flights folder formalism format geometry gimbals hull isotopes joint joints kind knobs link map material mass_history member members mesh method molecule
-    motion name numbers of_number omega_axes on only orbit out output parameters parts path pendulum plan pointings prescribed products progress quaternion
+    motion name nearest numbers of_number omega_axes on only orbit out output parameters parts path pendulum plan pointings prescribed products progress quaternion
     resume roots rows run scale scenario scenarios seed sense shaft skew start stop subtree symbols tests threads title torques triangles union wheels workers wrench
     wrench_covariance force format questions replicates samples sampling trajectories vary""".split()
 )
@@ -141,7 +141,7 @@ def numbers_of(found: Any) -> np.ndarray:
     if isinstance(found, polhode.results.Motion):
         return np.concatenate([found.times, found.omega.ravel()])
     if isinstance(found, tuple):
-        return np.concatenate([np.ravel(part) for part in found if part is not None])
+        return np.concatenate([numbers_of(part) if isinstance(part, tuple) else np.ravel(part) for part in found if part is not None])
     if isinstance(found, polhode.results.EnsembleStates):
         return np.concatenate([part.ravel() for part in found])
     if isinstance(found, polhode.results.MotionError):

@@ -38,6 +38,7 @@ mod gyration;
 mod link_geometry;
 mod mass;
 mod material;
+mod nearest;
 mod numbers;
 pub(crate) mod order;
 mod origin;

@@ -36,6 +36,7 @@ use crate::policy::Judged;
 use crate::read::{ReadOptions, read_model};
 use crate::remarks::{is_harmless, remarks};
 use crate::report::CheckReport;
+use crate::trace::trace;
 use difference::Sides;
 use frames::Aligned;
 use names::Names;
@@ -67,7 +68,8 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Comparison, Failure> 
         Some(path) => read_text_file(files, path, |text| Ok(Names::read(path, text, &a, &b)))??,
         None => Names::default(),
     };
-    let (findings, summaries) = compared(request, &a, &b, &names)?;
+    let (mut findings, summaries) = compared(request, &a, &b, &names)?;
+    trace(&b, &mut findings);
     let name = FileNames::new(files).of(&b.path);
     let report = CheckReport::new(b, Vec::new(), Judged::open(&name, findings));
     let checked = Checked {

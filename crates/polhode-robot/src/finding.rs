@@ -66,6 +66,8 @@ pub struct Finding {
     pub numbers: Vec<(&'static str, f64)>,
     /// Repair, if exactly one is consistent with all evidence of the link.
     pub repair: Option<Repair>,
+    /// Possible tensors nearest to an impossible one.
+    pub nearest: Option<Proposal>,
     /// Place in another model with which the finding compares.
     pub related: Option<Related>,
 }
@@ -94,7 +96,8 @@ impl Finding {
     ) -> Self {
         let (subject, rule, message) = (subject.to_owned(), rule.to_owned(), message.into());
         let (others, numbers) = (Vec::new(), Vec::new());
-        Self { code, severity, subject, others, span, message, rule, numbers, repair: None, related: None }
+        let (repair, nearest, related) = (None, None, None);
+        Self { code, severity, subject, others, span, message, rule, numbers, repair, nearest, related }
     }
 }
 
@@ -105,4 +108,41 @@ pub struct Repair {
     pub description: String,
     /// Spans of the model's text and their replacements. The spans do not overlap.
     pub edits: Vec<(Span, String)>,
+}
+
+/// Possible tensors nearest to an impossible one in two metrics, or the reason why there is none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proposal {
+    /// Nearest in the Frobenius norm.
+    pub frobenius: Result<NearestTensor, String>,
+    /// Nearest in the affine-invariant metric, in which the log-Euclidean distance is the same.
+    pub affine_invariant: Result<NearestTensor, String>,
+}
+
+/// Proposed tensor about the centre of mass, along the inertial's axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NearestTensor {
+    /// Description, one line: `"ixx 1.33334, …, iyz 0 kg·m², a flat body; distance …"`.
+    pub description: String,
+    /// Elements xx, yy, zz, xy, xz, yz, kg·m², rounded such that the tensor is possible.
+    pub tensor: [f64; 6],
+    /// Distance of the unrounded tensor, kg·m², or without a unit in the affine-invariant metric.
+    pub distance: f64,
+}
+
+impl Proposal {
+    /// Returns a label and a description for each metric.
+    pub fn lines(&self) -> [(&'static str, &str); 2] {
+        [
+            ("nearest possible tensor, Frobenius: ", description(&self.frobenius)),
+            ("nearest possible tensor, affine-invariant: ", description(&self.affine_invariant)),
+        ]
+    }
+}
+
+fn description(nearest: &Result<NearestTensor, String>) -> &str {
+    match nearest {
+        Ok(nearest) => &nearest.description,
+        Err(why) => why,
+    }
 }

@@ -31,7 +31,7 @@ struct Item<'a> {
     severity: Severity,
     /// Name of the link or joint; empty for the whole file.
     subject: &'a str,
-    message: &'a str,
+    message: Cow<'a, str>,
     rule: &'a str,
     id: String,
     /// Reason why the finding does not count, if it is settled.
@@ -65,7 +65,7 @@ impl FileChecked {
             code: finding.code,
             severity: finding.severity,
             subject: &finding.subject,
-            message: &finding.message,
+            message: message(finding),
             rule: &finding.rule,
             id: id.to_owned(),
             settled,
@@ -99,6 +99,12 @@ impl FileChecked {
     /// folder.
     fn name_of<'a>(&'a self, model: &RobotModel, place: FilePlace<'a>) -> Cow<'a, str> {
         if !place.is_included {
+            return match model.expansion {
+                Some(_) => Cow::Owned(format!("{} (expanded)", self.name)),
+                None => Cow::Borrowed(&self.name),
+            };
+        }
+        if place.file == model.path {
             return Cow::Borrowed(&self.name);
         }
         // Paths of included files are canonical.
@@ -133,7 +139,7 @@ impl Checked {
                 code: remark.code,
                 severity: remark.severity?,
                 subject: "",
-                message: &remark.message,
+                message: Cow::Borrowed(&remark.message),
                 rule: crate::rule::rule(remark.code).map_or("", |rule| rule.title),
                 id: remark.id(),
                 settled: None,
@@ -168,10 +174,17 @@ impl Checked {
     }
 }
 
+/// Returns the message, with the nearest possible tensors if they were requested.
+fn message(finding: &Finding) -> Cow<'_, str> {
+    let Some(nearest) = &finding.nearest else { return Cow::Borrowed(&finding.message) };
+    let lines = nearest.lines().map(|(label, line)| format!("; {label}{line}"));
+    Cow::Owned(format!("{}{}", finding.message, lines.concat()))
+}
+
 /// Returns subject and message: `arm: i1 + i2 = …`.
 fn about(item: &Item<'_>) -> String {
     if item.subject.is_empty() {
-        item.message.to_owned()
+        item.message.to_string()
     } else {
         format!("{}: {}", item.subject, item.message)
     }

@@ -7,6 +7,7 @@ use crate::geometry::Shapes;
 use crate::model::{GeometryShape, Link, Note, RobotModel, Role, Span};
 use crate::program::Program;
 use crate::rule::rule;
+use crate::trace::trace;
 
 /// Result of an inspection.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,6 +16,15 @@ pub struct Inspection {
     pub geometry: Vec<LinkGeometry>,
     /// Findings, in file order.
     pub findings: Vec<Finding>,
+}
+
+impl Inspection {
+    /// Returns the inspection without proposals of nearest possible tensors.
+    #[must_use]
+    pub fn without_nearest(mut self) -> Self {
+        self.findings.iter_mut().for_each(|finding| finding.nearest = None);
+        self
+    }
 }
 
 /// Measures and checks a model. `shapes` caches the meshes for the next model.
@@ -41,6 +51,7 @@ pub fn inspect_for(model: &RobotModel, shapes: &Shapes<'_>, programs: &[Program]
         findings.append(&mut unmeasured_shapes(link, geometry, shapes));
     }
     findings.extend(model.notes.iter().map(of_note));
+    trace(model, &mut findings);
     findings.sort_by_key(|finding| finding.span.start);
     Inspection { geometry, findings }
 }

@@ -6,8 +6,9 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use crate::finding::{Finding, Repair};
+use crate::finding::{Finding, NearestTensor, Proposal, Repair};
 use crate::line_index::{FilePlace, Places};
+use crate::model::RobotModel;
 use crate::policy::{Reason, Settled};
 use crate::repair::Left;
 use crate::report::{CheckReport, Counts, Fixed, format_name};
@@ -25,7 +26,7 @@ impl CheckReport {
         let by_link = self.link_counts();
         let ok = self.model.links.len().saturating_sub(by_link.sum());
         let places = Places::of(&self.model);
-        let finding = |f: &Finding, id: &str| finding(&places, &self.model.text, f, id);
+        let finding = |f: &Finding, id: &str| finding(&places, &self.model, f, id);
         let mut object = Map::new();
         let mut insert = |key: &str, value: Value| object.insert(key.to_owned(), value);
         insert("polhode", polhode_document::VERSION.into());
@@ -79,7 +80,8 @@ impl CheckReport {
     }
 }
 
-fn finding(places: &Places<'_>, text: &str, finding: &Finding, id: &str) -> Value {
+fn finding(places: &Places<'_>, model: &RobotModel, finding: &Finding, id: &str) -> Value {
+    let is_expanded = model.expansion.is_some();
     let FilePlace { file, is_included, line, column } = places.place(&finding.span);
     let numbers: Map<String, Value> =
         finding.numbers.iter().map(|&(name, value)| (name.to_owned(), Value::from(value))).collect();
@@ -94,18 +96,37 @@ fn finding(places: &Places<'_>, text: &str, finding: &Finding, id: &str) -> Valu
         "message": finding.message,
         "rule": finding.rule,
         "numbers": numbers,
-        "repair": finding.repair.as_ref().map(|repair| self::repair(places, text, repair)),
+        "repair": finding.repair.as_ref().map(|repair| self::repair(places, model, repair)),
     });
-    if let Some(object) = object.as_object_mut().filter(|_| is_included) {
+    if let Some(proposal) = &finding.nearest {
+        object["nearest"] = nearest(proposal);
+    }
+    if let Some(object) = object.as_object_mut().filter(|_| is_included || is_expanded) {
         object.insert("file".to_owned(), file.to_string_lossy().into());
     }
     object
 }
 
-fn repair(places: &Places<'_>, text: &str, repair: &Repair) -> Value {
+/// Returns the nearest possible tensors, or the reasons why there is none.
+fn nearest(Proposal { frobenius, affine_invariant }: &Proposal) -> Value {
+    let one = |nearest: &Result<NearestTensor, String>| match nearest {
+        Ok(NearestTensor { tensor: [ixx, iyy, izz, ixy, ixz, iyz], distance, .. }) => json!({
+            "ixx": ixx, "iyy": iyy, "izz": izz, "ixy": ixy, "ixz": ixz, "iyz": iyz, "distance": distance,
+        }),
+        Err(why) => json!({ "none": why.trim_start_matches("none: ") }),
+    };
+    json!({ "frobenius": one(frobenius), "affine_invariant": one(affine_invariant) })
+}
+
+fn repair(places: &Places<'_>, model: &RobotModel, repair: &Repair) -> Value {
     let edit = |(span, new): &(std::ops::Range<usize>, String)| {
-        let FilePlace { line, column, .. } = places.place(span);
-        json!({ "line": line, "column": column, "old": text.get(span.clone()), "new": new })
+        let FilePlace { file, line, column, .. } = places.place(span);
+        let old = model.text.get(span.clone());
+        let mut edit = json!({ "line": line, "column": column, "old": old, "new": new });
+        if model.expansion.is_some() {
+            edit["file"] = file.to_string_lossy().into();
+        }
+        edit
     };
     json!({ "description": repair.description, "edits": repair.edits.iter().map(edit).collect::<Vec<_>>() })
 }

@@ -64,6 +64,7 @@ mod run;
 mod span;
 mod table;
 mod text;
+mod trace;
 
 pub use checked::{Checked, FileChecked, Fix, Format};
 pub use link_choice::{JointValue, LinkChoice, Which};

@@ -70,7 +70,7 @@ pub struct FilePlace<'a> {
 impl<'a> Places<'a> {
     /// Computes the line indices of a model.
     pub fn of(model: &'a RobotModel) -> Self {
-        let own = (model.path.as_path(), 0, LineIndex::new(&model.text));
+        let own = (model.text_path(), 0, LineIndex::new(&model.text));
         let included = model
             .included
             .iter()

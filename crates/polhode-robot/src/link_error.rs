@@ -60,6 +60,10 @@ impl LinkError {
         match self.span() {
             Some(span) => {
                 let FilePlace { file, line, column, .. } = Places::of(model).place(&span);
+                if model.expansion.is_some() {
+                    let message = format!("{message} (line {line} of the expanded text)");
+                    return Failure::usage(message, hint).in_file(&model.path);
+                }
                 Failure::located(message, file, [line, column], hint)
             }
             None => Failure::usage(message, hint).in_file(&model.path),

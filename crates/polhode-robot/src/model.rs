@@ -36,8 +36,11 @@ pub struct RobotModel {
     /// True if the text states its numbers in m, kg and kg·m². Otherwise the number texts stored
     /// here are converted to these units, and nothing is repaired.
     pub is_si: bool,
-    /// Included files, each once, sorted by their start.
+    /// Included files, each once, sorted by their start. For an expanded model these are the files
+    /// with the macros, the model's own first.
     pub included: Vec<Source>,
+    /// Expansion of macros that made the text, if one did.
+    pub expansion: Option<Expansion>,
     /// Name of the model, if it has one.
     pub name: Option<String>,
     /// Links in file order.
@@ -52,9 +55,15 @@ pub struct RobotModel {
 }
 
 impl RobotModel {
-    /// Returns the text of the model, then the texts of the included files.
+    /// Returns the text of the model, then the texts of the included files; without macros.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
-        [&self.text].into_iter().chain(self.included.iter().map(|source| &source.text)).map(String::as_str)
+        let included = self.included.iter().filter(|_| self.expansion.is_none());
+        [&self.text].into_iter().chain(included.map(|source| &source.text)).map(String::as_str)
+    }
+
+    /// Returns the name of the text in messages: the path of the model, or the name of its expansion.
+    pub fn text_path(&self) -> &Path {
+        self.expansion.as_ref().map_or(&self.path, |expansion| &expansion.path)
     }
 
     /// Returns true if a span lies in an included file.
@@ -71,6 +80,7 @@ impl RobotModel {
             text: String::new(),
             is_si: true,
             included: Vec::new(),
+            expansion: None,
             name: None,
             links: Vec::new(),
             joints: Vec::new(),
@@ -78,6 +88,15 @@ impl RobotModel {
             notes: Vec::new(),
         }
     }
+}
+
+/// Expansion of a macro file: the text of the model is the output of xacro.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expansion {
+    /// Name of the expanded text: the path of the macro file, followed by "(expanded)".
+    pub path: PathBuf,
+    /// True if all files with macros could be read, so that a unique match is the only one.
+    pub is_whole: bool,
 }
 
 /// File that a model includes.

@@ -161,7 +161,8 @@ impl Policy {
             let within = model.included.iter().rposition(|source| source.start <= finding.span.start);
             let own = within.and_then(|k| included.get(k)).map_or(file.as_str(), String::as_str);
             let allows = |of: &String| {
-                let comment = comments.iter().position(|one| one.allows(finding.code, of, within.is_some()));
+                let is_included = within.is_some() && model.expansion.is_none();
+                let comment = comments.iter().position(|one| one.allows(finding.code, of, is_included));
                 let entry = || self.config.allowance(&[&file, own], finding.code, of, self.today);
                 let by = comment.map(Allowing::Comment).or_else(|| entry().map(Allowing::Entry));
                 by.ok_or_else(|| of.clone())

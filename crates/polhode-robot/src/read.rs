@@ -11,7 +11,8 @@
 //! [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`. SDF's `<inertial auto="true">` is
 //! computed.
 //!
-//! xacro is not read; expand it first.
+//! xacro is not read: `xacro.rs` only finds the files of a model that was expanded from it, so that
+//! findings can be traced to macros.
 
 mod checked;
 mod files;
@@ -25,6 +26,7 @@ mod unread;
 mod urdf;
 mod uri;
 pub(crate) mod usd;
+mod xacro;
 pub(crate) mod xml;
 
 use std::path::{Path, PathBuf};
@@ -149,6 +151,16 @@ fn language(root: &str) -> Option<ModelFormat> {
 }
 
 fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
+    let Some(files) = options.files.beneath(path) else { return read_as(text, path, options) };
+    let expanded = xacro::expanded(path);
+    let mut model = read_as(text, &expanded, options)?;
+    path.clone_into(&mut model.path);
+    xacro::add_sources(&mut model, files, &uri::Roots::of(path, options), expanded);
+    Ok(model)
+}
+
+/// Reads a model from a text. `path` is for messages, and its folder for files that the model names.
+fn read_as(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
     if format_of(&text).is_some_and(is_left_out) {
         let error = ContentErrorKind::unsupported("in this build, which reads URDF only").of_whole();
         return Err(FormatError::of_content(path, text.as_bytes(), error));

@@ -41,6 +41,11 @@ pub struct Request {
     #[serde(rename = "for")]
     #[cfg_attr(feature = "arguments", arg(long = "for", value_enum, value_name = "PROGRAM"))]
     pub programs: Vec<Program>,
+    /// Propose the possible tensors nearest to each impossible one, in the Frobenius norm and in the
+    /// affine-invariant metric, with their distances. Mass and centre of mass stay, and nothing is
+    /// written. The proposals are those of flat bodies: a measured or computed tensor is better.
+    #[cfg_attr(feature = "arguments", arg(long))]
+    pub nearest: bool,
     /// Lowest severity that makes the exit status 1. Default: suspect, or the value in
     /// polhode.toml.
     #[cfg_attr(feature = "arguments", arg(long, value_enum, value_name = "SEVERITY"))]

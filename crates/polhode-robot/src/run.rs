@@ -183,7 +183,9 @@ impl<'a> Inputs<'a> {
         shapes: &Shapes<'_>,
         reading: &ReadOptions<'_>,
     ) -> Result<CheckReport, Failure> {
-        let Inspection { geometry, findings } = inspect_for(&model, shapes, &self.request.programs);
+        let found = inspect_for(&model, shapes, &self.request.programs);
+        let found = if self.request.nearest { found } else { found.without_nearest() };
+        let Inspection { geometry, findings } = found;
         let judged = self.judge(file, &model, findings);
         let mut report = CheckReport::new(model, geometry, judged);
         let has_repairs = report.findings().iter().any(|finding| finding.repair.is_some());
@@ -200,7 +202,9 @@ impl<'a> Inputs<'a> {
         let fixed = proved(&report.model, report.findings(), check);
         if self.request.fix {
             let (repaired, remaining) = fixed.map_err(|error| unreadable(&error))?;
-            let diff = repaired.diff(&report.model, report.findings(), &self.names.real(&report.model.path));
+            let name = self.names.real(&report.model.path);
+            let name = if report.model.expansion.is_some() { format!("{name} (expanded)") } else { name };
+            let diff = repaired.diff(&report.model, report.findings(), &name);
             report.fixed = Some(Fixed { out: None, repaired, diff, remaining });
         } else {
             report.prospect = fixed.ok().map(|(repaired, remaining)| Prospect::of(&repaired, &remaining));

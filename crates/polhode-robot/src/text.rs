@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use polhode_document::layout::{WIDTH, plain_spaces, printable, wrap};
 use polhode_source::text::counted;
 
-use crate::finding::{Finding, Severity};
+use crate::finding::{Finding, Proposal, Severity};
 use crate::line_index::{FilePlace, Places};
 use crate::policy::{Judged, Reason, Settled};
 use crate::repair::Left;
@@ -40,6 +40,9 @@ impl CheckReport {
             if let Some(repair) = &finding.repair {
                 paragraph(&mut text, "fix: ", &repair.description);
             }
+            for (label, line) in finding.nearest.iter().flat_map(Proposal::lines) {
+                paragraph(&mut text, "", &format!("{label}{line}"));
+            }
         }
         self.write_settled(&mut text, &places);
         if let Some(fixed) = &self.fixed {
@@ -54,11 +57,16 @@ impl CheckReport {
             format!("{of:<10} IMPOSSIBLE {impossible}   SUSPECT {suspect}   NOTE {note}")
         };
         let by_link = self.link_counts();
+        let nearest = if self.findings().iter().any(|finding| finding.nearest.is_some()) {
+            "nearest possible tensors: for the same mass and centre of mass; a fix, a measured or a computed tensor is better\n"
+        } else {
+            ""
+        };
         format!(
             "{}   {}, {}, {}\n\
              {}\n\
              {}tensors about the centre of mass, along the inertial frame's axes, off-diagonal = -∫xy dm\n\
-             {}\n{}   OK {} of {links}\n",
+             {nearest}{}\n{}   OK {} of {links}\n",
             printable(&self.model.path.to_string_lossy()),
             format_name(self.model.format),
             counted(links, "link"),
@@ -148,6 +156,11 @@ impl CheckReport {
         }
         let Prospect { changes, remaining } = self.prospect();
         let values = counted(changes, "value");
+        if changes > 0 && self.model.expansion.is_some() {
+            return format!(
+                "--fix prints the correction of {values} in the expanded text; edit the macros.\n"
+            );
+        }
         match (changes, remaining) {
             (0, 0) => String::new(),
             (0, _) => format!("No automatic fix is certain: {} a manual fix.\n", needs(remaining)),

@@ -5,6 +5,10 @@
  */
 export type CheckReport = File | File[];
 export type File = Checked | Unreadable;
+/**
+ * Nearest possible tensor, about the centre of mass along the inertial's axes.
+ */
+export type Nearest = Proposed | None;
 
 /**
  * Model that was checked.
@@ -166,7 +170,14 @@ export interface Finding {
   };
   repair: Repair | null;
   /**
-   * Path of the included file that contains it.
+   * Possible tensors nearest to an impossible one, if requested.
+   */
+  nearest?: {
+    frobenius: Nearest;
+    affine_invariant: Nearest;
+  };
+  /**
+   * Path of the included file that contains it; for a xacro file, of the macro, or the name of the expanded text.
    */
   file?: string;
   /**
@@ -202,7 +213,53 @@ export interface Repair {
      * New text.
      */
     new: string;
+    /**
+     * Name of the expanded text of a xacro file.
+     */
+    file?: string;
   }[];
+}
+/**
+ * Proposed tensor, and its distance in one metric.
+ */
+export interface Proposed {
+  /**
+   * Moment, kg·m².
+   */
+  ixx: number;
+  /**
+   * Moment, kg·m².
+   */
+  iyy: number;
+  /**
+   * Moment, kg·m².
+   */
+  izz: number;
+  /**
+   * Product -∫xy dm, kg·m².
+   */
+  ixy: number;
+  /**
+   * Product -∫xz dm, kg·m².
+   */
+  ixz: number;
+  /**
+   * Product -∫yz dm, kg·m².
+   */
+  iyz: number;
+  /**
+   * Distance, kg·m² in the Frobenius norm; a number in the affine-invariant metric.
+   */
+  distance: number;
+}
+/**
+ * No tensor at a finite distance.
+ */
+export interface None {
+  /**
+   * Reason.
+   */
+  none: string;
 }
 /**
  * Fixes, if requested.

@@ -17,6 +17,10 @@ export interface CheckRequest {
    */
   for?: ("mujoco" | "gazebo" | "drake" | "isaac")[];
   /**
+   * Propose the possible tensors nearest to each impossible one, with their distances.
+   */
+  nearest?: boolean;
+  /**
    * Lowest severity that fails; null for the value in the configuration, by default suspect.
    */
   "fail-on"?: "impossible" | "suspect" | "note" | null;

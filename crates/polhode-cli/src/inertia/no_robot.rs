@@ -9,6 +9,7 @@ use polhode_shape::Request;
 use polhode_shape::report::InertiaReport;
 
 use polhode_source::Failure;
+use polhode_source::files::{Disk, Overlay};
 
 use super::output::OutputFlags;
 use crate::failure::Failure as CommandFailure;
@@ -30,9 +31,15 @@ impl RobotFlags {
     }
 }
 
+/// Returns the files of this machine.
+#[expect(clippy::unnecessary_wraps, reason = "the expansion of xacro files may fail")]
+pub(super) fn expanded(_: &[PathBuf], _: &RobotFlags) -> Result<Overlay<'static>, CommandFailure> {
+    Ok(Overlay::new(&Disk))
+}
+
 /// Returns true for the file extensions of robot models. Files `.sdf` and `.xml` must also begin
 /// with `<`, because SDF is also a format of molecules.
-pub(super) fn is_model(path: &Path) -> bool {
+pub(super) fn is_model(path: &Path, _: &Overlay<'_>) -> bool {
     let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
     match extension.as_deref() {
         Some("urdf" | "usda" | "osim" | "world" | "mjcf") => true,
@@ -50,7 +57,7 @@ fn first_character(path: &Path) -> Option<u8> {
 }
 
 /// Returns an error for a robot model.
-pub(super) fn reports(_: &Path, _: &RobotFlags) -> Result<Vec<InertiaReport>, Failure> {
+pub(super) fn reports(_: &Path, _: &RobotFlags, _: &Overlay<'_>) -> Result<Vec<InertiaReport>, Failure> {
     let hint = "install polhode with its default features, or build it with --features robot";
     Err(Failure::usage("this program was built without robot models", hint))
 }
@@ -61,6 +68,7 @@ pub(super) const fn write_inertials(
     _: &RobotFlags,
     _: &OutputFlags,
     _: bool,
+    _: &Overlay<'_>,
 ) -> Option<Result<(), CommandFailure>> {
     None
 }
@@ -70,6 +78,7 @@ pub(super) fn tables(
     _: &[PathBuf],
     _: &RobotFlags,
     _: &OutputFlags,
+    _: &Overlay<'_>,
     _: impl Fn(&Path) -> Result<(), Failure>,
 ) -> Option<Result<(), CommandFailure>> {
     None
@@ -81,9 +90,10 @@ mod tests {
 
     #[test]
     fn a_robot_model_is_refused_with_the_feature_that_is_missing() {
-        assert!(is_model(Path::new("arm.URDF")));
-        assert!(!is_model(Path::new("water.sdf")));
-        let Err(refusal) = reports(Path::new("arm.urdf"), &RobotFlags {}) else { unreachable!() };
+        let files = Overlay::new(&Disk);
+        assert!(is_model(Path::new("arm.URDF"), &files));
+        assert!(!is_model(Path::new("water.sdf"), &files));
+        let Err(refusal) = reports(Path::new("arm.urdf"), &RobotFlags {}, &files) else { unreachable!() };
         assert_eq!(refusal.message(), "this program was built without robot models");
     }
 }

@@ -10,7 +10,7 @@ use polhode_robot::link_table::LinkTable;
 use polhode_robot::{LinkChoice, LinkTables};
 use polhode_shape::Request;
 use polhode_shape::report::InertiaReport;
-use polhode_source::files::Disk;
+use polhode_source::files::{Files as _, Overlay};
 use polhode_source::{Failure, shown};
 
 use super::output::OutputFlags;
@@ -19,6 +19,7 @@ use crate::outputs::Outputs;
 use crate::partial;
 use crate::stderr::tell;
 use crate::stdout::{print, print_exact};
+use crate::xacro::{XacroFlags, require_not_expanded};
 
 /// Options that write files.
 pub(super) const OUTPUTS: [&str; 2] = ["write_mesh", "write_inertials"];
@@ -61,6 +62,7 @@ pub(super) const EXAMPLES: &str = "
   polhode inertia robot.urdf --subtree palm --joint left_finger=\"5 mm\"
   polhode inertia robot.urdf --lump all --skip-invalid
   polhode inertia robot.urdf --table
+  polhode inertia robot.urdf.xacro --xacro --lump all
   polhode inertia robot.urdf --write-inertials --material aluminium --part \"hand=1.2 kg\" | patch -p1
   polhode inertia robot.urdf --write-inertials new.urdf --only missing --density \"1.2 g/cm^3\"";
 
@@ -69,6 +71,8 @@ pub(super) const EXAMPLES: &str = "
 pub(super) struct RobotFlags {
     #[command(flatten)]
     links: LinkChoice,
+    #[command(flatten)]
+    xacro: XacroFlags,
     /// Compute the inertial of each link from its geometry, print the diff of the model, and write
     /// nothing. With OUT, also write the new model to OUT. Each link keeps its mass, unless
     /// --density, --material or --part gives another one, or --mass the total of all links, by
@@ -87,14 +91,24 @@ impl RobotFlags {
     }
 }
 
-/// Returns true for robot models, by their extension and root element.
-pub(super) fn is_model(file: &Path) -> bool {
-    polhode_robot::read::is_model(&Disk, file)
+/// Returns the files of this machine, with the expansions of xacro files if requested.
+pub(super) fn expanded(files: &[PathBuf], flags: &RobotFlags) -> Result<Overlay<'static>, CommandFailure> {
+    flags.xacro.expand(files)
+}
+
+/// Returns true for robot models, by their extension and root element, and for xacro files.
+pub(super) fn is_model(file: &Path, files: &Overlay<'_>) -> bool {
+    let is_xacro = || file.extension().is_some_and(|extension| extension == "xacro");
+    files.beneath(file).is_some() || is_xacro() || polhode_robot::read::is_model(files, file)
 }
 
 /// Returns one report for a link, or one for each body of joined links.
-pub(super) fn reports(file: &Path, flags: &RobotFlags) -> Result<Vec<InertiaReport>, Failure> {
-    flags.links.reports(&Disk, file)
+pub(super) fn reports(
+    file: &Path,
+    flags: &RobotFlags,
+    models: &Overlay<'_>,
+) -> Result<Vec<InertiaReport>, Failure> {
+    flags.links.reports(models, file)
 }
 
 /// Prints a table of the links of each robot if `--table` is given; `fits` refuses a file that
@@ -103,10 +117,11 @@ pub(super) fn tables(
     files: &[PathBuf],
     flags: &RobotFlags,
     output: &OutputFlags,
+    models: &Overlay<'_>,
     fits: impl Fn(&Path) -> Result<(), Failure>,
 ) -> Option<Result<(), CommandFailure>> {
     let table = |file: &PathBuf| {
-        let table = fits(file).and_then(|()| flags.links.link_table(&Disk, file));
+        let table = fits(file).and_then(|()| flags.links.link_table(models, file));
         (file.clone(), table.map_err(|failure| failure.in_file(file)))
     };
     let print_all = || print_tables(&LinkTables(files.iter().map(table).collect()), output);
@@ -130,9 +145,10 @@ pub(super) fn write_inertials(
     flags: &RobotFlags,
     output: &OutputFlags,
     force: bool,
+    models: &Overlay<'_>,
 ) -> Option<Result<(), CommandFailure>> {
     match (&flags.write_inertials, flags.options.given()) {
-        (Some(out), _) => Some(written(request, flags, output, out.as_deref(), force)),
+        (Some(out), _) => Some(written(request, flags, output, (out.as_deref(), force), models)),
         // clap does not check what an option requires if that conflicts with another option.
         (None, Some(option)) => {
             let message = format!("{option} is only for --write-inertials");
@@ -146,10 +162,13 @@ fn written(
     request: &Request,
     flags: &RobotFlags,
     output: &OutputFlags,
-    out: Option<&Path>,
-    force: bool,
+    (out, force): (Option<&Path>, bool),
+    models: &Overlay<'_>,
 ) -> Result<(), CommandFailure> {
-    let file = one_model(request)?;
+    let file = one_model(request, models)?;
+    if out.is_some() {
+        require_not_expanded(models, "--write-inertials")?;
+    }
     if out.is_none() && force {
         let message = "--write-inertials without a file writes nothing, so --force has no effect";
         return Err(CommandFailure::usage(message, "name the output file, or delete --force"));
@@ -165,7 +184,7 @@ fn written(
         substance: request.substance.clone(),
         part: request.mesh.part.clone(),
     };
-    let inertials = polhode_robot::inertials::write_inertials(&request, &Disk)?;
+    let inertials = polhode_robot::inertials::write_inertials(&request, models)?;
     outputs.require_not_part_of(&inertials.model)?;
     let inertials = match out {
         Some(out) => {
@@ -195,13 +214,13 @@ fn print_inertials(
         return print(&output.form().text(inertials));
     }
     let reasons: String = inertials.lines().iter().map(|line| format!("# {line}\n")).collect();
-    print_exact(&(reasons + &inertials.to_diff(&shown(file))))
+    print_exact(&(reasons + &inertials.to_diff(&shown(inertials.model.text_path()))))
 }
 
 /// Returns the model of a request.
-fn one_model(request: &Request) -> Result<&Path, Failure> {
+fn one_model<'r>(request: &'r Request, models: &Overlay<'_>) -> Result<&'r Path, Failure> {
     match request.files.as_slice() {
-        [file] if is_model(file) => Ok(file),
+        [file] if is_model(file, models) => Ok(file),
         [file] if file.is_file() => {
             Err(Failure::usage("--write-inertials is only for a robot model", "leave it out").in_file(file))
         }

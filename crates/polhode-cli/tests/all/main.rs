@@ -63,3 +63,5 @@ mod sweep;
 mod sweep_kill;
 mod torque;
 mod truncated;
+#[cfg(unix)]
+mod xacro;

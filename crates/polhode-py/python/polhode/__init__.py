@@ -16,6 +16,7 @@
 - :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: parameter
   sweeps, on one machine or on clusters
 - :func:`check`: checks of the inertias of a robot model; :func:`compare`: comparison of two models;
+  :func:`nearest_possible`: possible tensors nearest to an impossible one;
   :func:`link_table`, :func:`fixed_groups`: the links of a model as bodies;
   :func:`write_inertials`: inertials of its links from their geometry
 - :mod:`plot`: figures (requires Matplotlib); :func:`widget`: an interactive motion with sliders in
@@ -61,6 +62,7 @@ _HOMES = {
     "link_table": "_robot",
     "materials": "_substance",
     "mesh_derivatives": "_mass_derivatives",
+    "nearest_possible": "_nearest",
     "particle_derivatives": "_mass_derivatives",
     "particles": "_mass_properties",
     "plot": "plot",
@@ -101,6 +103,7 @@ __all__ = [
     "link_table",
     "materials",
     "mesh_derivatives",
+    "nearest_possible",
     "particle_derivatives",
     "particles",
     "plot",
@@ -136,6 +139,7 @@ if TYPE_CHECKING:
     from ._mass_derivatives import mesh_derivatives, particle_derivatives
     from ._mass_properties import MassProperties, particles
     from ._native import VERSION as __version__
+    from ._nearest import nearest_possible
     from ._robot import fixed_groups, link_table
     from ._scenario import Scenario
     from ._simulate import simulate

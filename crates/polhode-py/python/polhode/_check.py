@@ -38,6 +38,11 @@ class ModelFinding(NamedTuple):
     repair: dict[str, Any] | None
     #: Identifier that does not depend on the position in the file.
     id: str
+    #: Path of the included file that contains the finding.
+    file: str | None = None
+    #: Possible tensors nearest to an impossible one, if requested: ``"frobenius"`` and
+    #: ``"affine_invariant"``, each with the elements and ``"distance"``, or with ``"none"`` and a reason.
+    nearest: dict[str, Any] | None = None
 
 
 @public("polhode.results")
@@ -107,7 +112,12 @@ class CheckReport:
         return f"<div>{_html.rows(['link', 'rule', 'what'], lines)}</div>"
 
 
-def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str]] = ()) -> CheckReport:
+def check(
+    path: str | os.PathLike[str],
+    *,
+    roots: Sequence[str | os.PathLike[str]] = (),
+    nearest: bool = False,
+) -> CheckReport:
     """Checks the inertias of a URDF, SDF, MJCF, USD or OpenSim file.
 
     Parameters
@@ -116,6 +126,9 @@ def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str
         Path of the model file.
     roots
         Folders that contain the packages to which the model refers.
+    nearest
+        True to propose the possible tensors nearest to each impossible one, with their distances.
+        Nothing is written.
 
     Returns
     -------
@@ -141,5 +154,5 @@ def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str
     if isinstance(roots, (str, os.PathLike, Mapping)) or not isinstance(roots, Iterable):
         raise TypeError(f"roots must be a list of folders, not {type(roots).__name__}")
     folders = [_arrays.path(f"roots[{k}]", root) for k, root in enumerate(roots)]
-    report, text, table = _native.check_file(name, folders)
+    report, text, table = _native.check_file(name, folders, _arrays.truth("nearest", nearest))
     return CheckReport(name, json.loads(report), in_python(text), table)

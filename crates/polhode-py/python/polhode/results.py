@@ -34,6 +34,7 @@ from ._judgement import Cause, ErrorGrowth, ErrorPart, ErrorSplit, Judgement, Re
 from ._mass_derivatives import BodyDerivatives, MeshDerivatives, ParticleDerivatives
 from ._mass_properties import Finding
 from ._motion import Ending, EventOccurrence, Motion
+from ._nearest import NearestPossible, NearestTensor
 from ._robot import LinkRow, LinkTable
 from ._spin import Tumbling, TumblingSpin
 from ._stability import (
@@ -83,6 +84,8 @@ __all__ = [
     "ModelFinding",
     "Motion",
     "MotionError",
+    "NearestPossible",
+    "NearestTensor",
     "Number",
     "Oscillation",
     "ParticleDerivatives",

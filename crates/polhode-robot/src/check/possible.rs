@@ -13,7 +13,7 @@
 
 use super::body::Body;
 use super::written::short;
-use super::{finding, power};
+use super::{finding, nearest, power};
 use crate::finding::{Finding, Severity};
 use crate::model::{Inertial, Link, Slot};
 use crate::moments::Elements;
@@ -64,6 +64,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
         let place = (0..3).find(|k| body.written[*k] < 0.0).map_or(body.tensor_place(), |k| body.place(k));
         let mut found = finding("inertia.negative", Severity::Impossible, body.link, place, message, rule);
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("rounding", negative)];
+        found.nearest = nearest::of(body);
         suggest(body, &mut found);
         findings.push(found);
         return Verdict::Impossible;
@@ -83,6 +84,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
         let mut found =
             finding("inertia.triangle", Severity::Impossible, body.link, body.place(largest), message, rule);
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("excess", -gap), ("rounding", triangle)];
+        found.nearest = nearest::of(body);
         suggest(body, &mut found);
         findings.push(found);
         return Verdict::Impossible;
@@ -113,6 +115,7 @@ pub(super) fn of_moments(link: &Link, inertial: &Inertial) -> Option<Finding> {
         let rule = "no moment of inertia is negative";
         let mut found = finding("inertia.negative", Severity::Impossible, link, span, message, rule);
         found.numbers = vec![("moment", moment)];
+        found.nearest = Some(nearest::unreadable());
         return Some(found);
     }
     let moments: Vec<f64> = slots.iter().filter_map(|slot| slot.finite()).collect();
@@ -130,6 +133,7 @@ pub(super) fn of_moments(link: &Link, inertial: &Inertial) -> Option<Finding> {
     let span = slots.iter().find(|slot| slot.finite() == Some(greatest)).map(|slot| slot.span())?;
     let mut found = finding("inertia.triangle", Severity::Impossible, link, span, message, rule);
     found.numbers = vec![("excess", greatest - others)];
+    found.nearest = Some(nearest::unreadable());
     Some(found)
 }
 

@@ -33,7 +33,7 @@ impl Checked {
         }
         for item in items.iter().filter(|item| item.settled.is_none()) {
             let (severity, file, line) = (item.severity.name(), cell(&item.file), item.start.0);
-            let (subject, code, message) = (cell(item.subject), cell(item.code), cell(item.message));
+            let (subject, code, message) = (cell(item.subject), cell(item.code), cell(&item.message));
             let _ = writeln!(rows, "| {severity} | {file}:{line} | {subject} | {code}: {message} |");
         }
         if !rows.is_empty() {

@@ -104,7 +104,8 @@ impl Checked {
 
     /// Returns the option that writes fixes; only one model can be written.
     fn fix_form(&self) -> &'static str {
-        if self.files.len() == 1 { "--fix OUT" } else { "--fix" }
+        let is_expanded = self.reports().any(|report| report.model.expansion.is_some());
+        if self.files.len() == 1 && !is_expanded { "--fix OUT" } else { "--fix" }
     }
 }
 
@@ -112,7 +113,7 @@ fn row(item: &Item<'_>) -> [String; 5] {
     let (line, column) = item.start;
     [
         printable(item.subject),
-        format!("{} [{}]", printable(item.message), item.code),
+        format!("{} [{}]", printable(&item.message), item.code),
         printable(item.rule),
         item.repair.as_ref().map_or_else(|| "—".to_owned(), |(fix, _)| printable(fix)),
         printable(&format!("{}:{line}:{column}", item.file)),

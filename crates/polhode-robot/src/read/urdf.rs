@@ -132,7 +132,9 @@ fn xacro(path: &Path, span: Span) -> ContentError {
     } else {
         format!("{stem}.urdf")
     };
-    ContentErrorKind::unsupported(what).at(span).hint(format!("expand it first: xacro {file} > {out}"))
+    ContentErrorKind::unsupported(what)
+        .at(span)
+        .hint(format!("expand it first: xacro {file} > {out}, or use --xacro"))
 }
 
 fn link(element: Element<'_>, roots: &Roots<'_>, notes: &mut Vec<Note>) -> Link {

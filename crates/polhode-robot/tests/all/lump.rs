@@ -143,6 +143,7 @@ fn model(links: Vec<Link>, joints: Vec<Joint>) -> RobotModel {
         text,
         is_si: true,
         included: Vec::new(),
+        expansion: None,
         name: None,
         links,
         joints,

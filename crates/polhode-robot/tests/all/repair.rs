@@ -19,6 +19,7 @@ fn model() -> RobotModel {
         text: TEXT.to_owned(),
         is_si: true,
         included: Vec::new(),
+        expansion: None,
         name: None,
         links: Vec::new(),
         joints: Vec::new(),
@@ -39,6 +40,7 @@ fn finding(code: &'static str, edits: Vec<(std::ops::Range<usize>, &str)>) -> Fi
         rule: String::new(),
         numbers: Vec::new(),
         repair: Some(Repair { description: String::new(), edits }),
+        nearest: None,
         related: None,
     }
 }

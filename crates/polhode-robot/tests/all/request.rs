@@ -128,6 +128,7 @@ fn requests_fit_the_schema() {
         files: vec!["a.urdf".into()],
         roots: vec!["src".into()],
         programs: vec![Program::Isaac],
+        nearest: true,
         fail_on: Some(Severity::Note),
         strict: true,
         config: Some("polhode.toml".into()),

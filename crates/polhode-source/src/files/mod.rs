@@ -4,6 +4,7 @@ mod confined;
 mod disk;
 mod listed;
 mod memory;
+mod overlay;
 mod recorded;
 
 use std::fmt;
@@ -15,6 +16,7 @@ pub use confined::{Confined, NotOpened, is_path_of};
 pub use disk::Disk;
 pub use listed::Listed;
 pub use memory::Memory;
+pub use overlay::Overlay;
 pub use recorded::{Asked, Recorded};
 
 /// Source of all files that a reader opens.
@@ -62,6 +64,12 @@ pub trait Files: fmt::Debug + Sync {
     /// # Errors
     /// [`NotOpened`] if the other file may not open it.
     fn named(&self, folder: &Path, name: &Path) -> Result<PathBuf, NotOpened>;
+
+    /// Returns the source in which a path has its own content, if this one replaces that content by
+    /// what a program makes of it.
+    fn beneath(&self, _path: &Path) -> Option<&dyn Files> {
+        None
+    }
 
     /// Returns true for a regular file.
     fn is_file(&self, path: &Path) -> bool {

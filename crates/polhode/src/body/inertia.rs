@@ -53,7 +53,7 @@ pub struct InertiaAbout<F> {
 
 /// Tolerance of the rules for principal moments, relative to the largest: the rounding of a sum of
 /// many parts.
-const POSSIBLE_TOLERANCE: f64 = 64.0 * f64::EPSILON;
+pub(super) const POSSIBLE_TOLERANCE: f64 = 64.0 * f64::EPSILON;
 
 /// Tolerance of symmetry, relative to the largest moment: the rounding of a matrix read from a
 /// file.
@@ -267,7 +267,7 @@ fn assemble([xx, yy, zz]: [f64; 3], [xy, xz, yz]: [f64; 3]) -> Symmetric3 {
     Symmetric3 { xx, yy, zz, xy, xz, yz }
 }
 
-fn symmetric(rows: [[f64; 3]; 3]) -> Result<Symmetric3, BodyError> {
+pub(super) fn symmetric(rows: [[f64; 3]; 3]) -> Result<Symmetric3, BodyError> {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = rows;
     let scale = xx.abs().max(yy.abs()).max(zz.abs());
     for (i, j, value, mirrored) in [(1, 2, xy, yx), (1, 3, xz, zx), (2, 3, yz, zy)] {

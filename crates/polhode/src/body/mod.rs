@@ -20,7 +20,8 @@
 //!
 //! Off-diagonal elements are minus the products of inertia, I_xy = −∫ x y dm. [`PrincipalFrame`]
 //! has the principal moments, ascending, and axes. A tensor that no distribution of mass can have
-//! (one that violates the triangle inequality I₁ + I₂ ≥ I₃) is a [`BodyError`].
+//! (one that violates the triangle inequality I₁ + I₂ ≥ I₃) is a [`BodyError`]; [`nearest_possible`]
+//! proposes the nearest possible ones.
 
 pub(crate) mod assembly;
 mod assembly_derivatives;
@@ -34,6 +35,7 @@ pub(crate) mod mass_properties;
 pub(crate) mod material;
 pub mod mesh;
 mod moment_triangle;
+mod nearest;
 mod particle_derivatives;
 pub(crate) mod particles;
 pub(crate) mod principal;
@@ -51,6 +53,7 @@ pub use inertia::{InertiaAbout, InertiaTensor};
 pub use mass_properties::MassProperties;
 pub use material::Material;
 pub use moment_triangle::{MOMENT_TRIANGLE, place_in_moment_triangle, possible_ratios, ratio_region};
+pub use nearest::{Nearest, NearestPossible, nearest_possible};
 pub use particle_derivatives::ParticleDerivatives;
 pub use particles::{Particle, mass_properties_of_particles};
 pub use principal::{PrincipalFrame, Symmetry};

@@ -48,6 +48,7 @@ mod mesh_weld;
 mod metamorphic;
 mod moment_triangle;
 mod motion;
+mod nearest;
 mod on_ground;
 mod orbits;
 mod own_torque;

@@ -181,11 +181,15 @@ static INERTIA: Subcommand = Subcommand {
         choice("--symbols", &["--symbols"], &["symbols"], &[]),
         choice("--about", &["--about", "5 mm, 0, 8 mm"], ANY, &[]),
         choice("--along", &["--along", "0.9,0.1,-0.2,0.3"], ANY, &[]),
+        choice("--xacro", &["--xacro"], &["robot"], &[]),
+        choice("--xacro-arg", &["--xacro-arg", "side:=left"], &["robot"], &["--xacro"]),
         choice("--json", &["--json"], ANY, &[]),
         choice("--csv", &["--csv"], ANY, &[]),
         choice("--as", &["--as", "mjcf"], ANY, &[]),
     ],
     independent: &[
+        ("--xacro", "*", "tried in xacro.rs: the text is replaced before all else"),
+        ("--xacro-arg", "*", "tried in xacro.rs: the text is replaced before all else"),
         ("--mass", "--mass-unit", "refused: the mass is shared by points that have none of their own"),
         ("--only", "--link", "tried on different models; both choose links"),
         ("--only", "--table", "tried on different models; the table is of the new model"),
@@ -196,7 +200,7 @@ static INERTIA: Subcommand = Subcommand {
     ],
 };
 
-const MODELS: &[&str] = &["noted", "flawed", "flawed again"];
+const MODELS: &[&str] = &["noted", "flawed", "flawed again", "broken"];
 
 static CHECK: Subcommand = Subcommand {
     name: "check",
@@ -204,11 +208,15 @@ static CHECK: Subcommand = Subcommand {
         ("noted", &["model.urdf"]),
         ("flawed", &["model.urdf"]),
         ("flawed again", &["model.urdf"]),
+        ("broken", &["model.urdf"]),
         ("unnamed rules", &[]),
     ],
     options: &[
         choice("--root", &["--root", "packages"], MODELS, &[]),
         choice("--for", &["--for", "mujoco"], MODELS, &[]),
+        choice("--xacro", &["--xacro"], MODELS, &[]),
+        choice("--xacro-arg", &["--xacro-arg", "side:=left"], MODELS, &["--xacro"]),
+        choice("--nearest", &["--nearest"], &["broken"], &[]),
         choice("--json", &["--json"], MODELS, &[]),
         choice("--table", &["--table"], MODELS, &[]),
         choice("--html", &["--html"], MODELS, &[]),
@@ -219,15 +227,20 @@ static CHECK: Subcommand = Subcommand {
         choice("--config", &["--config", "rules.toml"], MODELS, &[]),
         choice("--baseline", &["--baseline", "known.json"], MODELS, &[]),
         choice("--write-baseline", &["--write-baseline", "found.json"], MODELS, &[]),
-        choice("--fix", &["--fix", "fixed.urdf"], &["flawed"], &[]),
+        choice("--fix", &["--fix", "fixed.urdf"], &["flawed", "broken"], &[]),
         choice("--force", &["--force"], &["flawed again"], &["--fix"]),
         choice("--explain", &["--explain", "inertia.unit"], &["unnamed rules"], &[]),
     ],
     independent: &[
+        ("--xacro", "*", "tried in xacro.rs: the text is replaced before all else"),
+        ("--xacro-arg", "*", "tried in xacro.rs: the text is replaced before all else"),
         ("--for", "--strict", "an error of --for fails in any case"),
         ("--for", "--fail-on", "an error of --for fails in any case"),
         ("--strict", "--write-baseline", "what is written is known, whatever it is"),
         ("--fail-on", "--write-baseline", "what is written is known, whatever it is"),
+        ("--nearest", "--strict", "an impossible tensor fails in any case"),
+        ("--nearest", "--fail-on", "an impossible tensor fails in any case"),
+        ("--nearest", "--force", "tried on different models"),
         ("--force", "--html", "refused: --fix, with which --force is tried here, has no such form"),
         ("--force", "--format", "refused: --fix, with which --force is tried here, has no such form"),
     ],
@@ -252,12 +265,17 @@ static COMPARE: Subcommand = Subcommand {
         choice("--tolerance", &["--tolerance", "1e-2"], TWO, &[]),
         choice("--map", &["--map", "names.toml"], TWO, &[]),
         choice("--root", &["--root", "packages"], TWO, &[]),
+        choice("--xacro", &["--xacro"], TWO, &[]),
+        choice("--xacro-arg", &["--xacro-arg", "side:=left"], TWO, &["--xacro"]),
         choice("--format", &["--format", "github"], TWO, &[]),
         choice("--json", &["--json"], TWO, &[]),
         choice("--output", &["--output", "results"], &["two models"], &[]),
         choice("--force", &["--force"], &["two models again"], &["--output"]),
     ],
-    independent: &[],
+    independent: &[
+        ("--xacro", "*", "tried in xacro.rs: the text is replaced before all else"),
+        ("--xacro-arg", "*", "tried in xacro.rs: the text is replaced before all else"),
+    ],
 };
 
 #[test]

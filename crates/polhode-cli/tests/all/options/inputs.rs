@@ -180,11 +180,16 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
         "robot" => {
             fs::copy(crate::common::example("robots/arm.urdf"), scratch.0.join("arm.urdf")).unwrap();
         }
-        "noted" | "flawed" | "flawed again" => {
+        "noted" | "flawed" | "flawed again" | "broken" => {
             fs::create_dir_all(scratch.0.join("packages/found")).unwrap();
             fs::write(scratch.0.join("packages/found/shape.stl"), stl()).unwrap();
             let flaw = link("base", "3.6", "0 0 0", grams, "<box size=\"0.24 0.20 0.10\"/>") + joint;
-            let flaw = if input == "noted" { String::new() } else { flaw };
+            let flaw = match input {
+                "noted" => String::new(),
+                // i1 + i2 < i3, in any axes.
+                "broken" => flaw.replace("izz=\"29280000\"", "izz=\"49280000\""),
+                _ => flaw,
+            };
             scratch.write("model.urdf", &format!("<robot name=\"r\">{flaw}{}</robot>", noted()));
             scratch.write("rules.toml", ALLOWED);
             scratch.write("known.json", KNOWN);

@@ -73,7 +73,7 @@ fn transposed(m: &M) -> M {
 }
 
 /// Returns R M Rᵀ, exactly symmetric.
-fn turned(r: &M, m: M) -> M {
+pub(crate) fn turned(r: &M, m: M) -> M {
     let m = product(&product(r, &m), &transposed(r));
     core::array::from_fn(|i| core::array::from_fn(|j| 0.5 * (m[i][j] + m[j][i])))
 }

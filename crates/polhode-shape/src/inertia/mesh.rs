@@ -31,6 +31,7 @@ pub(super) fn report(
         shell: choice.shell.as_ref().map(|shell| shell.value.0.0),
         weld: length(&choice.weld),
         fill: length(&choice.fill),
+        close_within: choice.close_within.as_ref().map(|share| share.value),
         union: choice.union,
         check: true,
         substance: request.substance.given(),

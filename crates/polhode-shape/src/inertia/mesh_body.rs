@@ -11,14 +11,15 @@ use polhode_document::{Extra, SourceInfo};
 use polhode_source::expression::Expression;
 use polhode_source::files::Files;
 
+use super::bounded::Uncertain;
 use super::choice::PartSubstance;
 use super::field;
 use super::host::Host;
 use super::in_body;
 use super::mesh_error::MeshBodyError;
 use crate::mesh::{
-    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, SolidPart,
-    UnitedMesh,
+    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, Share,
+    SolidPart, UnitedMesh,
 };
 use crate::report::{InertiaReport, PartRow};
 
@@ -36,6 +37,8 @@ pub struct MeshUse<'a> {
     pub weld: Option<MeshLength>,
     /// Maximum size of holes that are closed.
     pub fill: Option<MeshLength>,
+    /// Largest share of the volume that may be uncertain when all holes are closed.
+    pub close_within: Option<Share>,
     /// True to use the union of all parts.
     pub union: bool,
     /// True to search for triangles that intersect; hulls, sheets and unions do not depend on it.
@@ -95,7 +98,7 @@ pub struct MeshBody<'a> {
     pub(super) pieces: Vec<Piece>,
     pub(super) findings: Vec<Finding>,
     rows: Vec<PartRow>,
-    error: Option<Extra>,
+    errors: Vec<Extra>,
     metres_assumed: bool,
     how: MeshUse<'a>,
 }
@@ -123,6 +126,7 @@ struct Model {
     pieces: Vec<Piece>,
     findings: Vec<Finding>,
     field: Option<field::Found>,
+    uncertain: Option<Uncertain>,
 }
 
 /// Common part of the source of every model.
@@ -183,12 +187,17 @@ impl<'a> MeshUse<'a> {
     ) -> Result<MeshBody<'a>, MeshBodyError> {
         self.require_wanted()?;
         let metres_assumed = self.unit.is_none() && contents.unit.is_none();
-        let Model { source, unit, pieces, mut findings, field } = self.model(contents, origin, host)?;
+        let Model { source, unit, pieces, mut findings, field, uncertain } =
+            self.model(contents, origin, host)?;
         let (rows, error) = match field {
             Some(found) => (found.rows, Some(found.error)),
             None => (self.weighed(&pieces, &mut findings)?, None),
         };
-        Ok(MeshBody { source, unit, pieces, findings, rows, error, metres_assumed, how: self })
+        let mut errors = Vec::from_iter(error);
+        if let Some(uncertain) = uncertain {
+            errors.push(uncertain.bounds(&rows, self.parts, self.substance)?);
+        }
+        Ok(MeshBody { source, unit, pieces, findings, rows, errors, metres_assumed, how: self })
     }
 
     fn require_wanted(&self) -> Result<(), MeshBodyError> {
@@ -211,7 +220,14 @@ impl<'a> MeshUse<'a> {
             };
             let pieces = contents.parts.iter().map(sheet).collect::<Result<_, BodyError>>()?;
             let source = stated.source("taken as a sheet", given, count, unit).with("taken_as", "sheet");
-            return Ok(Model { source, unit, pieces, findings: contents.findings, field: None });
+            return Ok(Model {
+                source,
+                unit,
+                pieces,
+                findings: contents.findings,
+                field: None,
+                uncertain: None,
+            });
         }
         let points: usize = contents.parts.iter().map(|part| part.mesh.coordinates().len()).sum();
         if self.hull {
@@ -234,14 +250,29 @@ impl<'a> MeshUse<'a> {
             let source = with_repairs(source.with("taken_as", "union").with(name, numbers), &repairs);
             let unit = united.unit;
             let pieces = vec![Piece::new(String::new(), united.union)];
-            return Ok(Model { source, unit, pieces, findings, field: None });
+            return Ok(Model { source, unit, pieces, findings, field: None, uncertain: None });
         }
-        let solids = if self.check { MeshSolid::watched } else { MeshSolid::unchecked };
+        let (contents, closure) = match self.close_within {
+            None => (contents, None),
+            Some(_) => contents.capped(origin.path).map(|(contents, closure)| (contents, Some(closure)))?,
+        };
+        // Bounds hold only for caps that do not intersect the mesh.
+        let solids = if self.check || closure.is_some() { MeshSolid::watched } else { MeshSolid::unchecked };
+        let capped = if closure.is_some() { contents.parts.clone() } else { Vec::new() };
         let solid =
             solids(contents, origin.path, origin.format, self.unit, self.goes_on).map_err(explained)?;
         self.require_wanted()?;
         let mut findings = MeshRepair::findings(&repairs, &solid, &file);
         findings.extend(solid.findings_in(&file));
+        let uncertain = match self.close_within.zip(closure) {
+            None => None,
+            Some((most, closure)) => {
+                let closure = closure.scaled(solid.unit);
+                let uncertain = Uncertain::of(&solid, &capped, &closure, RepairBound::of(&repairs), most)?;
+                findings.push(closure.finding(uncertain.share, &file));
+                Some((uncertain, closure))
+            }
+        };
         let turned = solid.parts.iter().any(|part| part.mesh.inverted());
         let what = match (self.hull, turned) {
             (true, _) if given == 0 => format!("taken as the convex hull of {points} points"),
@@ -252,20 +283,25 @@ impl<'a> MeshUse<'a> {
         let what = if self.check { what } else { format!("{what}, not checked for self-intersections") };
         let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
         // A hull or a repaired mesh has different triangles than the file.
-        let triangles = match self.hull || !repairs.is_empty() {
+        let triangles = match self.hull || !repairs.is_empty() || uncertain.is_some() {
             true => solid.parts.iter().map(|part| part.mesh.surface().triangles().len()).sum(),
             false => given,
         };
         let taken_as = if self.hull { "convex_hull" } else { "solid" };
         let source = stated.source(&what, triangles, solid.parts.len(), solid.unit);
-        let source = with_repairs(source.with("vertices", vertices).with("taken_as", taken_as), &repairs);
+        let mut source = with_repairs(source.with("vertices", vertices).with("taken_as", taken_as), &repairs);
+        let uncertain = uncertain.map(|(uncertain, closure)| {
+            let (name, value) = closure.for_programs(uncertain.closed);
+            source = source.clone().with(name, value).with("volume_bound_m3", uncertain.volume);
+            uncertain
+        });
         let field = match self.field {
             Some(formula) => Some(field::found(&solid.parts, formula, self.tolerance, host)?),
             None => None,
         };
         let piece = |part: SolidPart| Piece::new(part.name, part.mesh);
         let pieces = solid.parts.into_iter().map(piece).collect();
-        Ok(Model { source, unit: solid.unit, pieces, findings, field })
+        Ok(Model { source, unit: solid.unit, pieces, findings, field, uncertain })
     }
 
     /// Returns each part with its mass.
@@ -323,7 +359,7 @@ impl MeshBody<'_> {
         }
         let mut report = InertiaReport::of_parts(source, &self.rows)?;
         report.surface_area = Some(self.pieces.iter().map(|piece| piece.shape.surface_area()).sum());
-        report.extras.extend(self.error);
+        report.extras.extend(self.errors);
         report.findings = self.findings;
         if self.metres_assumed {
             let assumed = AssumedMetres {

@@ -4,7 +4,10 @@ use std::error::Error;
 use std::fmt;
 
 use polhode::body::BodyError;
+use polhode_source::text::counted;
 use polhode_source::{Failure, FormatError};
+
+use crate::mesh::{Share, UnboundedClosure, percent_above};
 
 /// Error of a mesh that cannot be used as a body.
 #[derive(Clone, Debug)]
@@ -36,6 +39,10 @@ pub enum MeshBodyError {
     },
     /// A substance for the remaining parts is given, but every part has its own.
     AllNamed,
+    /// The caps of holes give no bound, or too wide a bound.
+    Unbounded(UnboundedClosure),
+    /// The uncertain mass of the closed holes is not smaller than the mass.
+    AllUncertain,
     /// The computation was cancelled.
     Interrupted,
 }
@@ -60,6 +67,16 @@ impl MeshBodyError {
                     .to_owned()
             }
             Self::AllNamed => "delete it, or delete a --part".to_owned(),
+            Self::Unbounded(UnboundedClosure::Crossed { .. }) => {
+                "close the surface in the tool that made it; or use its convex hull by --hull, or a shell along it by --shell".to_owned()
+            }
+            Self::Unbounded(UnboundedClosure::TooWide { share, .. }) if *share <= Share::MOST => format!(
+                "use --close-within {}, or close the largest hole in the tool that made the mesh",
+                percent_above(*share)
+            ),
+            Self::Unbounded(UnboundedClosure::TooWide { .. }) | Self::AllUncertain => {
+                "close the largest hole in the tool that made the mesh; or use its convex hull by --hull, or a shell along it by --shell".to_owned()
+            }
             Self::Interrupted => String::new(),
         }
     }
@@ -78,6 +95,20 @@ impl fmt::Display for MeshBodyError {
             Self::AllNamed => f.write_str(
                 "--density, --mass or --material applies to parts without --part, but every part has one",
             ),
+            Self::Unbounded(UnboundedClosure::Crossed { point: [x, y, z] }) => write!(
+                f,
+                "a surface that closes a hole intersects the mesh near ({x:.6e}, {y:.6e}, {z:.6e}) m: there is no bound for what it encloses"
+            ),
+            Self::Unbounded(UnboundedClosure::TooWide { share, most, holes, size, center: [x, y, z] }) => {
+                write!(
+                    f,
+                    "the holes leave {} of the volume uncertain, more than {}%: {}, the largest {size:.2e} m across at ({x:.3e}, {y:.3e}, {z:.3e}) m",
+                    if share.is_finite() { percent_above(*share) } else { "all".to_owned() },
+                    100.0 * most,
+                    counted(*holes, "hole")
+                )
+            }
+            Self::AllUncertain => f.write_str("all of the mass is uncertain"),
             Self::Interrupted => f.write_str("the computation was interrupted"),
         }
     }

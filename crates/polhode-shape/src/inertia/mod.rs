@@ -4,6 +4,7 @@ use polhode::body::{BodyError, MassProperties, PlacedPart};
 use polhode::math::{Body, Part, Position, Rotation};
 
 mod bodies;
+mod bounded;
 mod cad;
 mod choice;
 mod field;

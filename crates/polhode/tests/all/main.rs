@@ -39,6 +39,7 @@ mod judge_readings;
 mod mass_derivatives;
 mod mass_history;
 mod mesh;
+mod mesh_cap;
 mod mesh_diagnosis;
 mod mesh_fill;
 mod mesh_hull;

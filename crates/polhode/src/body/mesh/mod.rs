@@ -1,5 +1,6 @@
 //! Triangle meshes, their diagnosis, and the solids that they bound.
 
+mod cap;
 mod close_pairs;
 pub(crate) mod closed;
 mod clusters;
@@ -14,8 +15,10 @@ mod flaws;
 pub(crate) mod hull;
 mod inside;
 mod integral;
+mod junctions;
 mod layer;
 mod meeting;
+mod moment_bound;
 pub(crate) mod near_miss;
 mod neighborhood;
 mod oriented;
@@ -35,6 +38,7 @@ mod weld;
 pub(crate) mod weld_near;
 mod work;
 
+pub use cap::{CappedMesh, MeshHole};
 pub use closed::ClosedMesh;
 pub use component::{ComponentRole, MeshComponent};
 pub use derivatives::MeshDerivatives;
@@ -43,6 +47,7 @@ pub use effect::MeshEffect;
 pub use fill::{FilledMesh, HolesLeft};
 pub use flaws::MeshFlaws;
 pub use hull::ConvexHull;
+pub use moment_bound::{MassBound, MomentBound, UncertainPart};
 pub use near_miss::{ClosingFill, ClosingWeld};
 pub use places::MeshPlaces;
 pub use shell::MeshShell;

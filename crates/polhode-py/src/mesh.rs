@@ -7,7 +7,7 @@ use polhode::body::BodyError;
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::shape::Substance;
 use polhode_document::SourceInfo;
-use polhode_shape::mesh::{MeshContents, MeshFormat, MeshLength, MeshPart};
+use polhode_shape::mesh::{MeshContents, MeshFormat, MeshLength, MeshPart, Share};
 use polhode_shape::{MeshBody, MeshBodyError, MeshOrigin, MeshUse, MeshWords, PartSubstance};
 use polhode_source::expression::Expression;
 use polhode_source::files::Disk;
@@ -33,6 +33,8 @@ pub(crate) struct MeshOptions {
     weld: Option<String>,
     /// Largest diameter of holes that are filled, as text.
     fill: Option<String>,
+    /// Largest share of the volume that closing all holes may leave uncertain, as text.
+    close_within: Option<String>,
     /// True to count overlapping volumes of parts only once.
     union: bool,
     /// True to search for triangles that intersect.
@@ -52,6 +54,7 @@ struct Made {
     parts: Vec<PartSubstance>,
     weld: Option<MeshLength>,
     fill: Option<MeshLength>,
+    close_within: Option<Share>,
     field: Option<Expression>,
 }
 
@@ -67,8 +70,16 @@ impl Made {
                 .map_err(|error| refused(format!("field: {error}"), error.hint().as_deref()))
         };
         let (weld, fill) = (length("weld", options.weld.as_ref())?, length("fill", options.fill.as_ref())?);
+        let share = |text: &String| {
+            text.parse().map_err(|error: String| {
+                let (message, hint) = error.split_once(" (hint: ").unwrap_or((&error, ""));
+                let hint = Some(hint.trim_end_matches(')')).filter(|hint| !hint.is_empty());
+                refused(format!("close_within: {message}"), hint)
+            })
+        };
+        let close_within = options.close_within.as_ref().map(share).transpose()?;
         let field = options.field.as_ref().map(formula).transpose()?;
-        Ok(Self { substance, parts, weld, fill, field, options })
+        Ok(Self { substance, parts, weld, fill, close_within, field, options })
     }
 
     /// Calculates the mass properties of the mesh that `body` creates.
@@ -84,6 +95,7 @@ impl Made {
             shell,
             weld: self.weld,
             fill: self.fill,
+            close_within: self.close_within,
             union,
             check,
             substance: self.substance,

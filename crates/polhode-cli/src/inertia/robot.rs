@@ -24,7 +24,7 @@ use crate::stdout::{print, print_exact};
 pub(super) const OUTPUTS: [&str; 2] = ["write_mesh", "write_inertials"];
 
 /// Options that do not apply to inertials from the geometry of links.
-const OF_OTHERS: [&str; 26] = [
+const OF_OTHERS: [&str; 27] = [
     "primitive",
     "hull",
     "shell",
@@ -32,6 +32,7 @@ const OF_OTHERS: [&str; 26] = [
     "tolerance",
     "weld",
     "fill",
+    "close_within",
     "union",
     "write_mesh",
     "unit",

@@ -42,6 +42,7 @@ mod mcp;
 mod measures;
 mod mend;
 mod mesh;
+mod mesh_close;
 mod names;
 #[path = "../../../polhode-source/tests/common/obey.rs"]
 mod obey;

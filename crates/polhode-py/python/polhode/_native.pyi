@@ -33,6 +33,7 @@ class MeshOptions(TypedDict):
     shell: float | None
     weld: str | None
     fill: str | None
+    close_within: str | None
     union: bool
     check: bool
     parts: list[tuple[str, Given]]

@@ -4,6 +4,7 @@ use std::error::Error;
 use std::fmt;
 
 use polhode::body::BodyError;
+use polhode_document::number::number;
 use polhode_source::text::counted;
 use polhode_source::{Failure, FormatError};
 
@@ -104,7 +105,7 @@ impl fmt::Display for MeshBodyError {
                     f,
                     "the holes leave {} of the volume uncertain, more than {}%: {}, the largest {size:.2e} m across at ({x:.3e}, {y:.3e}, {z:.3e}) m",
                     if share.is_finite() { percent_above(*share) } else { "all".to_owned() },
-                    100.0 * most,
+                    number(100.0 * most, 6),
                     counted(*holes, "hole")
                 )
             }

@@ -8,8 +8,8 @@ use polhode_source::FormatError;
 use polhode_source::text::{counted, escaped};
 use serde_json::{Value, json};
 
-use super::{MeshContents, MeshPart, SolidPart, solid};
-use crate::finding::warning;
+use super::{MeshContents, MeshPart, SolidPart, percent_above, solid};
+use crate::finding::{info, warning};
 
 /// Caps that close all holes of a mesh file.
 #[derive(Clone, Debug, PartialEq)]
@@ -136,14 +136,17 @@ impl MeshClosure {
     /// Returns the finding that the holes were closed within bounds, for holes in metres.
     pub(crate) fn finding(&self, share: f64, file: &str) -> Finding {
         let code = "mesh.closed_within_bounds";
-        let message = match self.largest() {
-            None => "nothing was closed: the mesh has no open edges".to_owned(),
-            Some(MeshHole { size, center: [x, y, z], .. }) => format!(
-                "closed within bounds: {}, the largest {size:.2e} m across at ({x:.3e}, {y:.3e}, {z:.3e}) m; if the missing surface lies within the convex hulls of the holes, the volume may be off by {:.1e} of it, at most",
-                counted(self.all().count(), "hole"),
-                share
+        let finding = match self.largest() {
+            None => info(code, "nothing was closed: the mesh has no open edges"),
+            Some(MeshHole { size, center: [x, y, z], .. }) => warning(
+                code,
+                format!(
+                    "closed within bounds: {}, the largest {size:.2e} m across at ({x:.3e}, {y:.3e}, {z:.3e}) m; if the missing surface lies within the convex hulls of the holes, the volume may be off by {} of it, at most",
+                    counted(self.all().count(), "hole"),
+                    percent_above(share)
+                ),
             ),
         };
-        Finding { place: Some(escaped(file)), ..warning(code, message) }
+        Finding { place: Some(escaped(file)), ..finding }
     }
 }

@@ -34,12 +34,15 @@ impl FromStr for Share {
     }
 }
 
-/// Returns the smallest percentage with two digits, and at least 0.01%, that is not below a share.
+/// Returns the smallest percentage of at most two digits, and at least 0.01%, that is not below a
+/// share.
 pub(crate) fn percent_above(share: f64) -> String {
     let percent = (100.0 * share * (1.0 + 1e-9)).max(0.01);
     let step = 10_f64.powi(percent.log10().floor() as i32 - 1);
     let decimals = usize::from(step < 1.0) * (-step.log10()).round().max(0.0) as usize;
-    format!("{:.decimals$}%", (percent / step).ceil() * step)
+    let text = format!("{:.decimals$}", (percent / step).ceil() * step);
+    let trimmed = if decimals > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    format!("{trimmed}%")
 }
 
 #[cfg(test)]
@@ -61,7 +64,7 @@ mod tests {
     #[test]
     fn a_suggested_percentage_is_enough_and_has_two_digits() {
         let cases = [
-            (0.0, "0.010%"),
+            (0.0, "0.01%"),
             (0.0123, "1.3%"),
             (0.2, "20%"),
             (0.201, "21%"),

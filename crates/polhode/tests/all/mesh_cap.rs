@@ -131,9 +131,9 @@ fn planar_holes_are_closed_exactly() {
         for (x, y) in a.inertia().matrix().as_flattened().iter().zip(b.inertia().matrix().as_flattened()) {
             assert!((x - y).abs() < 1e-12, "{x} {y}");
         }
-        // Rounded corners are not exactly coplanar.
+        // Rounded corners are not exactly coplanar; the hull of 300 of them has 600 faces.
         let bound = capped.holes[0].bound([0.0; 3]).unwrap();
-        assert!(bound.measure < 1e-14 && bound.second[0][0] < 1e-12, "{bound:?}");
+        assert!(bound.measure < 1e-12 && bound.second[0][0] < 2e-11, "{bound:?}");
     }
 }
 

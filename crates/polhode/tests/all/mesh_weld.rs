@@ -225,7 +225,6 @@ fn with_junctions(off: f64) -> (Vec<Triangle>, usize) {
     let (mut triangles, mut points) = (Vec::new(), 0);
     for (k, [a, b, c]) in ring(9, 7).into_iter().enumerate() {
         let between = |t: f64, random: &mut Random| {
-            // A dyadic fraction is exact only for some coordinates; rounding is far below `off`.
             let on: [f64; 3] = std::array::from_fn(|i| a[i] + t * (b[i] - a[i]));
             random.moved(on, off)
         };
@@ -263,7 +262,7 @@ fn t_junctions_are_welded_and_counted() {
         assert!(change <= welded.volume_bound + 1e-14, "{change:e} {:e}", welded.volume_bound);
         assert!(off > 0.0 || change < 1e-14);
         assert!(off == 0.0 || change > 1e-3 * welded.volume_bound, "{change:e}");
-        assert_eq!(open.welded(0.1 * tolerance).unwrap().open_edges == 0, off == 0.0 && false);
+        assert!(off == 0.0 || open.welded(0.03 * tolerance).unwrap().open_edges > 0);
     }
 }
 

@@ -138,6 +138,12 @@ static INERTIA: Subcommand = Subcommand {
             &[],
         ),
         choice(
+            "--close-within",
+            &["--close-within", "5%"],
+            &["holed", "torn holed", "holed again", "holed unnamed"],
+            &[],
+        ),
+        choice(
             "--union",
             &["--union"],
             &["parts overlapping", "torn overlapping", "holed overlapping", "unnamed overlapping"],

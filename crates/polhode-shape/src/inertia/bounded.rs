@@ -47,8 +47,9 @@ impl Uncertain {
         let whole: f64 = solid.parts.iter().map(|part| part.mesh.volume()).sum();
         let closed = closure.share(whole, 0.0) * whole;
         let share = closure.share(whole, repaired.volume);
-        if share > most.value() {
-            return Err(MeshBodyError::Unbounded(closure.too_wide(share, most.value())));
+        if share > most.value() && !closure.is_empty() {
+            let repaired = repaired.volume > 0.0;
+            return Err(MeshBodyError::Unbounded(closure.too_wide(share, most.value(), repaired)));
         }
         let surfaces = solid.parts.iter().map(|part| part.mesh.surface().coordinates());
         Ok(Self {

@@ -254,7 +254,9 @@ impl<'a> MeshUse<'a> {
         }
         let (contents, closure) = match self.close_within {
             None => (contents, None),
-            Some(_) => contents.capped(origin.path).map(|(contents, closure)| (contents, Some(closure)))?,
+            Some(_) => contents
+                .capped(origin.path, self.goes_on)
+                .map(|(contents, closure)| (contents, Some(closure)))?,
         };
         // Bounds hold only for caps that do not intersect the mesh.
         let solids = if self.check || closure.is_some() { MeshSolid::watched } else { MeshSolid::unchecked };
@@ -270,7 +272,7 @@ impl<'a> MeshUse<'a> {
                 let closure = closure.scaled(solid.unit);
                 let uncertain = Uncertain::of(&solid, &capped, &closure, RepairBound::of(&repairs), most)?;
                 findings.push(closure.finding(uncertain.share, &file));
-                Some((uncertain, closure))
+                (!closure.is_empty()).then_some((uncertain, closure))
             }
         };
         let turned = solid.parts.iter().any(|part| part.mesh.inverted());

@@ -100,10 +100,18 @@ impl fmt::Display for MeshBodyError {
                 f,
                 "a surface that closes a hole intersects the mesh near ({x:.6e}, {y:.6e}, {z:.6e}) m: there is no bound for what it encloses"
             ),
-            Self::Unbounded(UnboundedClosure::TooWide { share, most, holes, size, center: [x, y, z] }) => {
+            Self::Unbounded(UnboundedClosure::TooWide {
+                share,
+                most,
+                repaired,
+                holes,
+                size,
+                center: [x, y, z],
+            }) => {
                 write!(
                     f,
-                    "the holes leave {} of the volume uncertain, more than {}%: {}, the largest {size:.2e} m across at ({x:.3e}, {y:.3e}, {z:.3e}) m",
+                    "{} {} of the volume uncertain, more than {}%: {}, the largest {size:.2e} m across at ({x:.3e}, {y:.3e}, {z:.3e}) m",
+                    if *repaired { "the holes and the repairs before leave" } else { "the holes leave" },
                     if share.is_finite() { percent_above(*share) } else { "all".to_owned() },
                     number(100.0 * most, 6),
                     counted(*holes, "hole")

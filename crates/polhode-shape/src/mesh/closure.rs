@@ -36,6 +36,8 @@ pub enum UnboundedClosure {
         share: f64,
         /// Largest accepted share.
         most: f64,
+        /// True if a weld or fill adds to the bound.
+        repaired: bool,
         /// Number of holes.
         holes: usize,
         /// Size of the largest hole, m.
@@ -51,11 +53,15 @@ impl MeshContents {
     ///
     /// # Errors
     /// [`FormatError`] if the parts have too many vertices together.
-    pub fn capped(self, path: &Path) -> Result<(Self, MeshClosure), FormatError> {
+    pub fn capped(
+        self,
+        path: &Path,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<(Self, MeshClosure), FormatError> {
         let mut contents = self.with_whole_surfaces().map_err(|error| solid::no_solid(path, "", error))?;
         let mut closure = MeshClosure { holes: Vec::new(), own: Vec::new(), triangles: 0 };
         for part in &mut contents.parts {
-            let capped = part.mesh.capped();
+            let capped = part.mesh.capped(goes_on);
             closure.own.push(part.mesh.triangles().len());
             closure.triangles += capped.triangles;
             closure.holes.push(capped.holes);
@@ -77,6 +83,11 @@ impl MeshClosure {
     /// solid, all holes belong to it.
     pub(crate) fn holes_of(&self, solids: usize) -> Vec<Vec<MeshHole>> {
         if solids == self.holes.len() { self.holes.clone() } else { vec![self.all().cloned().collect()] }
+    }
+
+    /// Returns true if there are no holes.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.all().next().is_none()
     }
 
     fn all(&self) -> impl Iterator<Item = &MeshHole> {
@@ -113,9 +124,9 @@ impl MeshClosure {
     }
 
     /// Returns the error for a share above `most`.
-    pub(crate) fn too_wide(&self, share: f64, most: f64) -> UnboundedClosure {
+    pub(crate) fn too_wide(&self, share: f64, most: f64, repaired: bool) -> UnboundedClosure {
         let (size, center) = self.largest().map_or((0.0, [0.0; 3]), |hole| (hole.size, hole.center));
-        UnboundedClosure::TooWide { share, most, holes: self.all().count(), size, center }
+        UnboundedClosure::TooWide { share, most, repaired, holes: self.all().count(), size, center }
     }
 
     /// Returns name and numbers as JSON, for holes in metres.

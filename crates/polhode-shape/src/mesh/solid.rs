@@ -235,7 +235,10 @@ fn open_or_unsound(
 /// Returns the share of the volume to which closing all holes bounds the volume, if it is at most
 /// one half.
 fn bounded_share(contents: &MeshContents, path: &Path, goes_on: &(dyn Fn() -> bool + Sync)) -> Option<f64> {
-    let (capped, closure) = contents.clone().capped(path).ok()?;
+    if !goes_on() {
+        return None;
+    }
+    let (capped, closure) = contents.clone().capped(path, goes_on).ok()?;
     let (solids, _) = solids(&capped.parts, true, goes_on).ok()?;
     if closure.crossing(&capped.parts, &solids, 1.0).is_some() {
         return None;

@@ -43,6 +43,7 @@ mod mesh_cap;
 mod mesh_diagnosis;
 mod mesh_fill;
 mod mesh_hull;
+mod mesh_infill;
 mod mesh_shapes;
 mod mesh_union;
 mod mesh_weld;

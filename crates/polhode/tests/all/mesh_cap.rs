@@ -68,7 +68,7 @@ fn prism(corners: usize) -> (Vec<Triangle>, Vec<Triangle>) {
 }
 
 fn capped(triangles: &[Triangle]) -> (CappedMesh, ClosedMesh) {
-    let capped = TriangleMesh::of_triangles(triangles).unwrap().capped();
+    let capped = TriangleMesh::of_triangles(triangles).unwrap().capped(&|| true);
     let solid = ClosedMesh::of(&capped.mesh).unwrap();
     (capped, solid)
 }
@@ -179,7 +179,7 @@ fn the_truth_is_within_the_bounds_of_200_random_cuts() {
     for _ in 0..200 {
         let cut = strips(&whole, &mut random);
         let open: Vec<Triangle> = (0..whole.len()).filter(|t| !cut.contains(t)).map(|t| whole[t]).collect();
-        let capped = TriangleMesh::of_triangles(&open).unwrap().capped();
+        let capped = TriangleMesh::of_triangles(&open).unwrap().capped(&|| true);
         let closed = ClosedMesh::of(&capped.mesh).unwrap();
         if closed.diagnosis().self_overlaps.is_empty() {
             compared += 1;
@@ -255,6 +255,6 @@ fn walls_and_flipped_triangles_are_closed() {
     let walled: Vec<Triangle> = [open, lid, vec![[a, b, c]]].concat();
     let mesh = TriangleMesh::of_triangles(&walled).unwrap();
     assert!(ClosedMesh::of(&mesh).is_err());
-    let capped = mesh.capped();
+    let capped = mesh.capped(&|| true);
     assert_eq!((capped.holes.len(), capped.holes[0].rim.len()), (1, 3));
 }

@@ -68,18 +68,19 @@ impl TriangleMesh {
     /// edges gets the triangulation of smallest area, which is planar for a planar curve. A longer
     /// one gets triangles from the mean of its vertices. Caps are oriented as their neighbours.
     ///
-    /// The caps may intersect the mesh: the diagnosis of the result finds this.
+    /// The caps may intersect the mesh: the diagnosis of the result finds this. If `goes_on` returns
+    /// false (it is called often), the remaining holes stay open.
     ///
     /// ```
     /// use polhode::body::mesh::{ClosedMesh, TriangleMesh};
     /// let [o, x, y, z] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
-    /// let capped = TriangleMesh::of_triangles(&[[o, y, x], [o, x, z], [x, y, z]])?.capped();
+    /// let capped = TriangleMesh::of_triangles(&[[o, y, x], [o, x, z], [x, y, z]])?.capped(&|| true);
     /// assert_eq!((capped.holes.len(), capped.triangles), (1, 1));
     /// assert_eq!(ClosedMesh::of(&capped.mesh)?.volume(), 1.0);
     /// assert_eq!(capped.holes[0].bound([0.3, -0.2, 0.7])?.measure, 0.0); // it is planar
     /// # Ok::<(), polhode::body::BodyError>(())
     /// ```
-    pub fn capped(&self) -> CappedMesh {
+    pub fn capped(&self, goes_on: &(dyn Fn() -> bool + Sync)) -> CappedMesh {
         let threads = Threads::of_machine();
         let mut exact = Welded::of(self, threads);
         let given = exact.corners.len();
@@ -97,8 +98,8 @@ impl TriangleMesh {
                 size: across(&exact.points, &vertices).0 * exact.unit,
                 center: exact.place(mean(&exact.points, &vertices)),
             });
-            for curve in curves {
-                cap(&mut exact, &curve);
+            for curve in curves.iter().take_while(|_| goes_on()) {
+                cap(&mut exact, curve);
             }
         }
         CappedMesh { triangles: exact.corners.len() - given, holes, mesh: compact(exact) }
@@ -161,7 +162,8 @@ fn curves(rim: &[RimEdge]) -> Vec<Vec<RimEdge>> {
         at.extend([(edge.from, false, k), (edge.to, true, k)]);
     }
     at.sort_unstable();
-    let first = |v: u32| at.partition_point(|entry| entry.0 < v);
+    // First entry of each vertex that may be unused.
+    let mut first: std::collections::HashMap<u32, usize> = std::collections::HashMap::new();
     let mut used = vec![false; rim.len()];
     let mut position = std::collections::HashMap::new();
     let mut curves = Vec::new();
@@ -173,12 +175,15 @@ fn curves(rim: &[RimEdge]) -> Vec<Vec<RimEdge>> {
         let mut vertex = rim[start].from;
         position.clear();
         position.insert(vertex, 0);
-        while let Some((_, is_end, k)) =
-            at[first(vertex)..].iter().take_while(|entry| entry.0 == vertex).find(|entry| !used[entry.2])
-        {
-            used[*k] = true;
-            path.push(rim[*k]);
-            vertex = if *is_end { rim[*k].from } else { rim[*k].to };
+        loop {
+            let entry = first.entry(vertex).or_insert_with(|| at.partition_point(|entry| entry.0 < vertex));
+            while at.get(*entry).is_some_and(|&(v, _, k)| v == vertex && used[k]) {
+                *entry += 1;
+            }
+            let Some(&(_, is_end, k)) = at.get(*entry).filter(|entry| entry.0 == vertex) else { break };
+            used[k] = true;
+            path.push(rim[k]);
+            vertex = if is_end { rim[k].from } else { rim[k].to };
             match position.get(&vertex) {
                 Some(&since) => {
                     let curve = path.split_off(since);

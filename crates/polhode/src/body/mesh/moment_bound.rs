@@ -49,6 +49,21 @@ impl MomentBound {
         Self { measure, first: [measure * distance; 3], second: [[second; 3]; 3] }
     }
 
+    /// Returns the bounds about a point at `offset` from the previous one.
+    #[must_use]
+    pub fn about(&self, offset: [f64; 3]) -> Self {
+        let (by, Self { measure, first, second }) = (offset.map(f64::abs), *self);
+        Self {
+            measure,
+            first: core::array::from_fn(|i| first[i] + measure * by[i]),
+            second: core::array::from_fn(|i| {
+                core::array::from_fn(|j| {
+                    second[i][j] + first[i] * by[j] + first[j] * by[i] + measure * by[i] * by[j]
+                })
+            }),
+        }
+    }
+
     fn of_tetrahedron(corners: [[f64; 3]; 4]) -> Self {
         let [a, b, c, d] = corners;
         let [u, v, w] = [b, c, d].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);

@@ -24,7 +24,7 @@ use crate::stdout::{print, print_exact};
 pub(super) const OUTPUTS: [&str; 2] = ["write_mesh", "write_inertials"];
 
 /// Options that do not apply to inertials from the geometry of links.
-const OF_OTHERS: [&str; 27] = [
+const OF_OTHERS: [&str; 29] = [
     "primitive",
     "hull",
     "shell",
@@ -33,6 +33,8 @@ const OF_OTHERS: [&str; 27] = [
     "weld",
     "fill",
     "close_within",
+    "walls",
+    "infill",
     "union",
     "write_mesh",
     "unit",

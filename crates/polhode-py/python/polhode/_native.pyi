@@ -34,6 +34,7 @@ class MeshOptions(TypedDict):
     weld: str | None
     fill: str | None
     close_within: str | None
+    print: tuple[float, str] | None
     union: bool
     check: bool
     parts: list[tuple[str, Given]]

@@ -73,44 +73,52 @@ impl Uncertain {
         parts: &[PartSubstance],
         common: Option<Substance>,
     ) -> Result<Extra, MeshBodyError> {
-        let whole = combined(rows)?;
-        let center = whole.center_of_mass().to_array();
-        let distance = |p: &[f64; 3]| (0..3).map(|k| (p[k] - center[k]).powi(2)).sum::<f64>().sqrt();
-        let reach = self.corners.iter().map(distance).fold(0.0, f64::max) + self.repaired.beyond;
-        // The repairs may have changed any of the parts.
-        let repaired = MomentBound::within(self.repaired.volume, reach);
-        let bound_of = |k: usize| -> Result<MomentBound, BodyError> {
+        let bound = mass_bounds(rows, parts, common, |k, center| {
+            let distance = |p: &[f64; 3]| (0..3).map(|k| (p[k] - center[k]).powi(2)).sum::<f64>().sqrt();
+            let reach = self.corners.iter().map(distance).fold(0.0, f64::max) + self.repaired.beyond;
+            // The repairs may have changed any of the parts.
+            let repaired = MomentBound::within(self.repaired.volume, reach);
             let density = rows[k].volume.map_or(0.0, |volume| rows[k].properties.mass() / volume);
             let mut holes = self.holes[k].iter().map(|hole| hole.bound(center));
             let all = holes.try_fold(repaired, |all, bound| Ok::<_, BodyError>(all + bound?))?;
             Ok(all * density)
-        };
-        let own =
-            |k: usize| parts.iter().find(|given| given.name == rows[k].name).map(|given| given.substance);
-        let mut uncertain = Vec::new();
-        let mut rest = Vec::new();
-        for k in 0..rows.len() {
-            let has_mass = match own(k) {
-                None if matches!(common, Some(Substance::Mass(_))) => {
-                    rest.push(k);
-                    continue;
-                }
-                substance => matches!(substance, Some(Substance::Mass(_))),
-            };
-            uncertain.push(UncertainPart { properties: rows[k].properties, bound: bound_of(k)?, has_mass });
-        }
-        // The parts without their own substance share one mass at a common density.
-        if !rest.is_empty() {
-            let of_rest: Vec<_> = rest.iter().map(|&k| rows[k].clone()).collect();
-            let mut bounds = rest.iter().map(|&k| bound_of(k));
-            let bound =
-                bounds.try_fold(MomentBound::default(), |all, bound| Ok::<_, BodyError>(all + bound?))?;
-            uncertain.push(UncertainPart { properties: combined(&of_rest)?, bound, has_mass: true });
-        }
-        let bound = MassBound::of(&whole, &uncertain).ok_or(MeshBodyError::AllUncertain)?;
+        })?;
         let proviso = "if the missing surfaces lie within the convex hulls of their holes";
         Ok(mass_bound(&bound, self.volume, self.share, proviso))
     }
+}
+
+/// Returns the error bounds of parts with their masses. `bound_of` returns the bounds of the uncertain
+/// moments of a part about a point; `common` is the substance of the parts without their own.
+///
+/// # Errors
+/// [`MeshBodyError`] if the uncertain mass is not smaller than the mass.
+pub(super) fn mass_bounds(
+    rows: &[PartRow],
+    parts: &[PartSubstance],
+    common: Option<Substance>,
+    bound_of: impl Fn(usize, [f64; 3]) -> Result<MomentBound, BodyError>,
+) -> Result<MassBound, MeshBodyError> {
+    let whole = combined(rows)?;
+    let center = whole.center_of_mass().to_array();
+    let own = |row: &PartRow| parts.iter().find(|given| given.name == row.name).map(|given| given.substance);
+    let (mut uncertain, mut rest, mut of_rest) = (Vec::new(), Vec::new(), MomentBound::default());
+    for (k, row) in rows.iter().enumerate() {
+        let bound = bound_of(k, center)?;
+        let substance = own(row);
+        if substance.is_none() && matches!(common, Some(Substance::Mass(_))) {
+            // The parts without their own substance share one mass at a common density.
+            rest.push(row.clone());
+            of_rest = of_rest + bound;
+            continue;
+        }
+        let has_mass = matches!(substance, Some(Substance::Mass(_)));
+        uncertain.push(UncertainPart { properties: row.properties, bound, has_mass });
+    }
+    if !rest.is_empty() {
+        uncertain.push(UncertainPart { properties: combined(&rest)?, bound: of_rest, has_mass: true });
+    }
+    MassBound::of(&whole, &uncertain).ok_or(MeshBodyError::AllUncertain)
 }
 
 fn combined(rows: &[PartRow]) -> Result<MassProperties<Body>, BodyError> {

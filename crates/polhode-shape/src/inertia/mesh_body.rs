@@ -17,6 +17,7 @@ use super::field;
 use super::host::Host;
 use super::in_body;
 use super::mesh_error::MeshBodyError;
+use super::print::{self, Print, Printed};
 use crate::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, Share,
     SolidPart, UnitedMesh,
@@ -39,6 +40,8 @@ pub struct MeshUse<'a> {
     pub fill: Option<MeshLength>,
     /// Largest share of the volume that may be uncertain when all holes are closed.
     pub close_within: Option<Share>,
+    /// Walls and infill of a print.
+    pub print: Option<Print>,
     /// True to use the union of all parts.
     pub union: bool,
     /// True to search for triangles that intersect; hulls, sheets and unions do not depend on it.
@@ -107,15 +110,22 @@ pub struct MeshBody<'a> {
 pub(super) struct Piece {
     pub(super) name: String,
     pub(super) shape: Box<dyn Shape>,
+    /// Infill, if the part is printed.
+    printed: Option<Printed>,
 }
 
 impl Piece {
     fn new(name: String, shape: impl Shape + 'static) -> Self {
-        Self { name, shape: Box::new(shape) }
+        Self { name, shape: Box::new(shape), printed: None }
     }
 
     fn volume(&self) -> f64 {
         self.shape.spread().extent().measure()
+    }
+
+    /// Returns the volume that has the mass of the part at the density of its substance, m³.
+    fn material(&self) -> f64 {
+        self.printed.as_ref().map_or_else(|| self.volume(), Printed::material)
     }
 }
 
@@ -196,6 +206,10 @@ impl<'a> MeshUse<'a> {
         let mut errors = Vec::from_iter(error);
         if let Some(uncertain) = uncertain {
             errors.push(uncertain.bounds(&rows, self.parts, self.substance)?);
+        }
+        let printed: Vec<_> = pieces.iter().filter_map(|piece| piece.printed.as_ref()).collect();
+        if !printed.is_empty() {
+            errors.push(print::bounds(&printed, &rows, self.parts, self.substance)?);
         }
         Ok(MeshBody { source, unit, pieces, findings, rows, errors, metres_assumed, how: self })
     }
@@ -283,6 +297,10 @@ impl<'a> MeshUse<'a> {
             (false, false) => "closed, consistently wound".to_owned(),
         };
         let what = if self.check { what } else { format!("{what}, not checked for self-intersections") };
+        let what = match self.print {
+            None => what,
+            Some(print) => format!("{what}, {}", print.in_words()),
+        };
         let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
         // A hull or a repaired mesh has different triangles than the file.
         let triangles = match self.hull || !repairs.is_empty() || uncertain.is_some() {
@@ -301,8 +319,15 @@ impl<'a> MeshUse<'a> {
             Some(formula) => Some(field::found(&solid.parts, formula, self.tolerance, host)?),
             None => None,
         };
-        let piece = |part: SolidPart| Piece::new(part.name, part.mesh);
-        let pieces = solid.parts.into_iter().map(piece).collect();
+        let piece = |part: SolidPart| -> Result<Piece, MeshBodyError> {
+            let printed = self.print.map(|print| print.of(part.mesh.clone(), self.goes_on)).transpose()?;
+            Ok(Piece { printed, ..Piece::new(part.name, part.mesh) })
+        };
+        let pieces = solid.parts.into_iter().map(piece).collect::<Result<Vec<_>, _>>()?;
+        self.require_wanted()?;
+        if let Some(print) = self.print {
+            source = print.stated(source, pieces.iter().filter_map(|piece| piece.printed.as_ref()));
+        }
         Ok(Model { source, unit: solid.unit, pieces, findings, field, uncertain })
     }
 
@@ -328,7 +353,7 @@ impl<'a> MeshUse<'a> {
             Some(_) if rest.is_empty() => return Err(MeshBodyError::AllNamed),
             // The total mass of the remaining parts, at one common density.
             Some(Substance::Mass(mass)) if rest.len() > 1 => {
-                Substance::Density(mass / rest.iter().map(|piece| piece.volume()).sum::<f64>())
+                Substance::Density(mass / rest.iter().map(|piece| piece.material()).sum::<f64>())
             }
             Some(substance) => substance,
             None => {
@@ -340,7 +365,10 @@ impl<'a> MeshUse<'a> {
         };
         let row = |piece: &Piece| {
             let substance = own(piece).map_or(common, |given| given.substance);
-            let properties = in_body(piece.shape.mass_properties(substance)?)?;
+            let properties = in_body(match &piece.printed {
+                Some(printed) => printed.mass_properties(substance)?,
+                None => piece.shape.mass_properties(substance)?,
+            })?;
             Ok(PartRow { name: piece.name.clone(), properties, volume: Some(piece.volume()) })
         };
         pieces.iter().map(row).collect()

@@ -17,6 +17,8 @@ pub enum MeshBodyError {
     Format(FormatError),
     /// The mass properties are not physical.
     Body(BodyError),
+    /// The walls or the infill of a print cannot be computed.
+    Print(BodyError),
     /// The value of a density formula is not a density.
     Density(BodyError),
     /// A substance is given for an unknown part.
@@ -57,6 +59,7 @@ impl MeshBodyError {
                 "a hull needs four points that do not lie in one plane".to_owned()
             }
             Self::Body(_) => "check --density, --mass, --part and --unit".to_owned(),
+            Self::Print(_) => "check --walls and --infill".to_owned(),
             Self::Density(error) => error.hint().unwrap_or("check --field and --tolerance").to_owned(),
             Self::UnknownPart { known, .. } => {
                 let known: Vec<_> = known.iter().map(|name| format!("{name:?}")).collect();
@@ -87,7 +90,7 @@ impl fmt::Display for MeshBodyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Format(error) => error.fmt(f),
-            Self::Body(error) | Self::Density(error) => error.fmt(f),
+            Self::Body(error) | Self::Density(error) | Self::Print(error) => error.fmt(f),
             Self::UnknownPart { name, .. } => write!(f, "the mesh has no part named {name:?}"),
             Self::PartTwice { name } => write!(f, "--part {name} is given twice"),
             Self::SharedMass { name, count } => {

@@ -42,8 +42,8 @@ pub use assumed_unit::{AssumedMetres, longest_side};
 pub use closure::{MeshClosure, UnboundedClosure};
 pub use length::MeshLength;
 pub use repair::{MeshRepair, RepairBound};
-pub use share::Share;
 pub(crate) use share::percent_above;
+pub use share::{Fraction, Share};
 pub use solid::{MeshSolid, SolidPart};
 pub use union::UnitedMesh;
 

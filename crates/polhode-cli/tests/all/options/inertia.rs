@@ -143,6 +143,8 @@ static INERTIA: Subcommand = Subcommand {
             &["holed", "torn holed", "holed again", "holed unnamed"],
             &[],
         ),
+        choice("--walls", &["--walls", "2 cm"], MESHES, &["--infill"]),
+        choice("--infill", &["--infill", "15%"], MESHES, &["--walls"]),
         choice(
             "--union",
             &["--union"],

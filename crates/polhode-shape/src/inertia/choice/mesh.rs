@@ -8,7 +8,7 @@ use polhode_source::given::{Given, Length, Number, Positive};
 use serde::{Deserialize, Serialize};
 
 use super::substance::PartSubstance;
-use crate::mesh::{MeshLength, Share};
+use crate::mesh::{Fraction, MeshLength, Share};
 
 /// Options that conflict with --field, and therefore with --tolerance. clap does not check the
 /// conflicts of a required option.
@@ -52,6 +52,14 @@ pub struct MeshChoice {
     /// hull of its hole.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "SHARE", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance"]))]
     pub close_within: Option<Given<Share>>,
+    /// Print the mesh with walls of this thickness along its surface, and an infill (--infill) behind
+    /// them.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "THICKNESS", requires = "infill", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance", "close_within"]))]
+    pub walls: Option<Given<Positive<Length>>>,
+    /// Density of the infill behind --walls relative to the material's, such as 15%; its distance from
+    /// the surface exceeds the walls' thickness.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "SHARE", requires = "walls", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance", "close_within"]))]
+    pub infill: Option<Given<Fraction>>,
     /// Use the union of all parts, so that regions that overlap or repeat count once; after a weld
     /// and a fill.
     #[cfg_attr(feature = "arguments", arg(long, conflicts_with_all = ["shell", "part", "field", "tolerance", "write_mesh", "force"]))]
@@ -89,6 +97,8 @@ impl MeshChoice {
             (self.weld.is_some(), "--weld"),
             (self.fill.is_some(), "--fill"),
             (self.close_within.is_some(), "--close-within"),
+            (self.walls.is_some(), "--walls"),
+            (self.infill.is_some(), "--infill"),
             (self.union, "--union"),
             (self.write_mesh.is_some(), "--write-mesh"),
         ];

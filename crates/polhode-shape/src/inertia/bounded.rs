@@ -2,34 +2,35 @@
 
 use polhode::body::mesh::{MassBound, MeshHole, MomentBound, UncertainPart};
 use polhode::body::shape::Substance;
-use polhode::body::{BodyError, MassProperties};
+use polhode::body::{BodyError, Finding, MassProperties};
 use polhode::math::Body;
-use polhode_document::Extra;
+use polhode_document::{Extra, SourceInfo};
 
 use super::choice::PartSubstance;
 use super::mesh_error::MeshBodyError;
-use crate::mesh::{MeshClosure, MeshPart, MeshSolid, RepairBound, Share, UnboundedClosure};
+use crate::mesh::{MeshClosure, MeshPart, MeshRepair, MeshSolid, RepairBound, Share, UnboundedClosure};
 use crate::report::{PartRow, mass_bound};
 
 /// Uncertain volume of the solids of a mesh, m³.
 pub(super) struct Uncertain {
     /// Holes of each solid, m.
-    pub(super) holes: Vec<Vec<MeshHole>>,
+    holes: Vec<Vec<MeshHole>>,
     /// Bound of the error of the volume by closing alone, m³.
-    pub(super) closed: f64,
+    closed: f64,
     /// Bound of the error of the volume by closing and all repairs, m³.
-    pub(super) volume: f64,
+    volume: f64,
     /// The same relative to the volume.
-    pub(super) share: f64,
+    share: f64,
     /// Bound of the repairs before closing.
-    pub(super) repaired: RepairBound,
+    repaired: RepairBound,
     /// Corners of the solids, m.
-    pub(super) corners: Vec<[f64; 3]>,
+    corners: Vec<[f64; 3]>,
+    closure: MeshClosure,
 }
 
 impl Uncertain {
-    /// Returns the uncertain volume of a solid whose holes were closed. `capped` are the parts in the
-    /// file's unit; `closure` is in metres.
+    /// Returns the uncertain volume of a solid whose holes were closed, `None` without holes; adds
+    /// a finding. `capped` are the parts, and `closure` their holes, in the file's unit.
     ///
     /// # Errors
     /// [`MeshBodyError::Unbounded`] if a cap intersects the mesh, or if the uncertain share of the
@@ -37,10 +38,12 @@ impl Uncertain {
     pub(super) fn of(
         solid: &MeshSolid,
         capped: &[MeshPart],
-        closure: &MeshClosure,
-        repaired: RepairBound,
+        closure: MeshClosure,
+        repairs: &[MeshRepair],
         most: Share,
-    ) -> Result<Self, MeshBodyError> {
+        (findings, file): (&mut Vec<Finding>, &str),
+    ) -> Result<Option<Self>, MeshBodyError> {
+        let (closure, repaired) = (closure.scaled(solid.unit), RepairBound::of(repairs));
         if let Some(point) = closure.crossing(capped, &solid.parts, solid.unit) {
             return Err(MeshBodyError::Unbounded(UnboundedClosure::Crossed { point }));
         }
@@ -51,15 +54,26 @@ impl Uncertain {
             let repaired = repaired.volume > 0.0;
             return Err(MeshBodyError::Unbounded(closure.too_wide(share, most.value(), repaired)));
         }
+        findings.push(closure.finding(share, file));
+        if closure.is_empty() {
+            return Ok(None);
+        }
         let surfaces = solid.parts.iter().map(|part| part.mesh.surface().coordinates());
-        Ok(Self {
+        Ok(Some(Self {
             holes: closure.holes_of(solid.parts.len()),
             closed,
             volume: share * whole,
             share,
             repaired,
             corners: surfaces.flatten().copied().collect(),
-        })
+            closure,
+        }))
+    }
+
+    /// Adds the closed holes to the source of a report.
+    pub(super) fn stated(&self, source: SourceInfo) -> SourceInfo {
+        let (name, value) = self.closure.for_programs(self.closed);
+        source.with(name, value).with("volume_bound_m3", self.volume)
     }
 
     /// Returns the block of error bounds for parts with their masses. `common` is the substance of
@@ -88,8 +102,9 @@ impl Uncertain {
     }
 }
 
-/// Returns the error bounds of parts with their masses. `bound_of` returns the bounds of the uncertain
-/// moments of a part about a point; `common` is the substance of the parts without their own.
+/// Returns the error bounds of parts with their masses. `bound_of` returns the bounds of the
+/// uncertain moments of a part about a point; `common` is the substance of the parts without their
+/// own.
 ///
 /// # Errors
 /// [`MeshBodyError`] if the uncertain mass is not smaller than the mass.

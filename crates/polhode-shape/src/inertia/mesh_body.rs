@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use polhode::body::mesh::{ConvexHull, MeshShell};
-use polhode::body::shape::{Extent, Shape, Substance};
+use polhode::body::shape::{Extent, Substance};
 use polhode::body::{BodyError, Finding, Severity};
 use polhode_document::{Extra, SourceInfo};
 use polhode_source::expression::Expression;
@@ -17,7 +17,8 @@ use super::field;
 use super::host::Host;
 use super::in_body;
 use super::mesh_error::MeshBodyError;
-use super::print::{self, Print, Printed};
+use super::piece::Piece;
+use super::print::{self, Print};
 use crate::mesh::{
     AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, Share,
     SolidPart, UnitedMesh,
@@ -104,29 +105,6 @@ pub struct MeshBody<'a> {
     errors: Vec<Extra>,
     metres_assumed: bool,
     how: MeshUse<'a>,
-}
-
-/// Part with its shape.
-pub(super) struct Piece {
-    pub(super) name: String,
-    pub(super) shape: Box<dyn Shape>,
-    /// Infill, if the part is printed.
-    printed: Option<Printed>,
-}
-
-impl Piece {
-    fn new(name: String, shape: impl Shape + 'static) -> Self {
-        Self { name, shape: Box::new(shape), printed: None }
-    }
-
-    fn volume(&self) -> f64 {
-        self.shape.spread().extent().measure()
-    }
-
-    /// Returns the volume that has the mass of the part at the density of its substance, m³.
-    fn material(&self) -> f64 {
-        self.printed.as_ref().map_or_else(|| self.volume(), Printed::material)
-    }
 }
 
 /// Shapes of a mesh, before masses are assigned.
@@ -283,10 +261,7 @@ impl<'a> MeshUse<'a> {
         let uncertain = match self.close_within.zip(closure) {
             None => None,
             Some((most, closure)) => {
-                let closure = closure.scaled(solid.unit);
-                let uncertain = Uncertain::of(&solid, &capped, &closure, RepairBound::of(&repairs), most)?;
-                findings.push(closure.finding(uncertain.share, &file));
-                (!closure.is_empty()).then_some((uncertain, closure))
+                Uncertain::of(&solid, &capped, closure, &repairs, most, (&mut findings, &file))?
             }
         };
         let turned = solid.parts.iter().any(|part| part.mesh.inverted());
@@ -310,11 +285,9 @@ impl<'a> MeshUse<'a> {
         let taken_as = if self.hull { "convex_hull" } else { "solid" };
         let source = stated.source(&what, triangles, solid.parts.len(), solid.unit);
         let mut source = with_repairs(source.with("vertices", vertices).with("taken_as", taken_as), &repairs);
-        let uncertain = uncertain.map(|(uncertain, closure)| {
-            let (name, value) = closure.for_programs(uncertain.closed);
-            source = source.clone().with(name, value).with("volume_bound_m3", uncertain.volume);
-            uncertain
-        });
+        if let Some(uncertain) = &uncertain {
+            source = uncertain.stated(source);
+        }
         let field = match self.field {
             Some(formula) => Some(field::found(&solid.parts, formula, self.tolerance, host)?),
             None => None,
@@ -365,10 +338,7 @@ impl<'a> MeshUse<'a> {
         };
         let row = |piece: &Piece| {
             let substance = own(piece).map_or(common, |given| given.substance);
-            let properties = in_body(match &piece.printed {
-                Some(printed) => printed.mass_properties(substance)?,
-                None => piece.shape.mass_properties(substance)?,
-            })?;
+            let properties = in_body(piece.mass_properties(substance)?)?;
             Ok(PartRow { name: piece.name.clone(), properties, volume: Some(piece.volume()) })
         };
         pieces.iter().map(row).collect()

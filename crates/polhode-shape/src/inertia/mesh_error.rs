@@ -101,7 +101,7 @@ impl fmt::Display for MeshBodyError {
             ),
             Self::Unbounded(UnboundedClosure::Crossed { point: [x, y, z] }) => write!(
                 f,
-                "a surface that closes a hole intersects the mesh near ({x:.6e}, {y:.6e}, {z:.6e}) m: there is no bound for what it encloses"
+                "a surface that closes a hole intersects the mesh near ({x:.6e}, {y:.6e}, {z:.6e}) m, so its error has no bound"
             ),
             Self::Unbounded(UnboundedClosure::TooWide {
                 share,

@@ -15,6 +15,7 @@ mod mesh_body;
 mod mesh_error;
 mod molecule;
 mod particles;
+mod piece;
 mod primitive;
 mod print;
 mod request;

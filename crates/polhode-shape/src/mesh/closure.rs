@@ -48,8 +48,9 @@ pub enum UnboundedClosure {
 }
 
 impl MeshContents {
-    /// Closes all holes with [`TriangleMesh::capped`](polhode::body::mesh::TriangleMesh::capped) for
-    /// each part. Parts with open edges in common are merged, as by [`MeshContents::filled`].
+    /// Closes all holes of each part with
+    /// [`TriangleMesh::capped`](polhode::body::mesh::TriangleMesh::capped). Parts with open edges
+    /// in common are merged, as by [`MeshContents::filled`].
     ///
     /// # Errors
     /// [`FormatError`] if the parts have too many vertices together.
@@ -85,7 +86,7 @@ impl MeshClosure {
         if solids == self.holes.len() { self.holes.clone() } else { vec![self.all().cloned().collect()] }
     }
 
-    /// Returns true if there are no holes.
+    /// Returns true without holes.
     pub(crate) fn is_empty(&self) -> bool {
         self.all().next().is_none()
     }
@@ -98,11 +99,16 @@ impl MeshClosure {
         self.all().max_by(|a, b| a.size.total_cmp(&b.size))
     }
 
-    /// Returns a point where a cap intersects the mesh, m: the caps then give no bound. `unit` is the
-    /// unit of the parts, m.
+    /// Returns a point where a cap intersects the mesh, m: the caps then give no bound. `unit` is
+    /// the unit of the parts, m.
     pub(crate) fn crossing(&self, parts: &[MeshPart], solids: &[SolidPart], unit: f64) -> Option<[f64; 3]> {
         if solids.iter().all(|solid| solid.mesh.diagnosis().self_overlaps.is_empty()) {
             return None;
+        }
+        if solids.len() != self.own.len() {
+            // The triangles of the solid are those of several parts.
+            let overlaps = solids.iter().filter_map(|solid| solid.mesh.diagnosis().self_overlaps.first);
+            return overlaps.map(|pair| pair.point.map(|c| c * unit)).next();
         }
         /// Number of pairs that a diagnosis counts.
         const MOST: usize = 10_001;

@@ -37,8 +37,8 @@ impl MeshContents {
         Ok((self, repair(&fills, unit)))
     }
 
-    /// Merges parts with open edges in common, which are pieces of one surface, into one part without
-    /// a name each, with a finding.
+    /// Merges parts with open edges in common, which are pieces of one surface, into one part
+    /// without a name each, with a finding.
     pub(super) fn with_whole_surfaces(mut self) -> Result<Self, BodyError> {
         let first = first_pieces(&self.parts);
         let mut parts = Vec::new();

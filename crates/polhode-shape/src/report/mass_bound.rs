@@ -8,9 +8,9 @@ use polhode_document::number::error;
 use polhode_document::unit;
 use serde_json::json;
 
-/// Returns the block `bounds`: error bounds of the volume (m³), mass (kg), coordinates of the centre
-/// of mass (m), tensor and principal moments (kg m²). `share` is the bound of the volume relative to
-/// it; `proviso` is the condition under which the bounds hold.
+/// Returns the block `bounds`: error bounds of the volume (m³), mass (kg), coordinates of the
+/// centre of mass (m), tensor and principal moments (kg m²). `share` is the bound of the volume
+/// relative to it; `proviso` is the condition under which the bounds hold.
 pub fn mass_bound(bound: &MassBound, volume: f64, share: f64, proviso: &str) -> Extra {
     let MassBound { mass, center_of_mass, inertia, moments } = *bound;
     let json = json!({

@@ -50,8 +50,8 @@ fn ring(around: usize, along: usize) -> Vec<Triangle> {
     placed(&triangles)
 }
 
-/// Returns a star-shaped prism with a lid, whose other end is open: a planar, nonconvex hole; and the
-/// lid of that end.
+/// Returns a star-shaped prism with a lid, whose other end is open: a planar, nonconvex hole; and
+/// the lid of that end.
 fn prism(corners: usize) -> (Vec<Triangle>, Vec<Triangle>) {
     let corner = |k: usize, z: f64| {
         let (k, turn) = (k % corners, std::f64::consts::TAU / corners as f64);

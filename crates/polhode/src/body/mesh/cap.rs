@@ -68,8 +68,8 @@ impl TriangleMesh {
     /// edges gets the triangulation of smallest area, which is planar for a planar curve. A longer
     /// one gets triangles from the mean of its vertices. Caps are oriented as their neighbours.
     ///
-    /// The caps may intersect the mesh: the diagnosis of the result finds this. If `goes_on` returns
-    /// false (it is called often), the remaining holes stay open.
+    /// The caps may intersect the mesh: the diagnosis of the result finds this. If `goes_on`
+    /// returns false (it is called often), the remaining holes stay open.
     ///
     /// ```
     /// use polhode::body::mesh::{ClosedMesh, TriangleMesh};

@@ -37,14 +37,16 @@ impl ClosedMesh {
     /// `tolerance` of it, or a millionth of the solid's volume. The computation ends early if
     /// `goes_on` returns false; the result is then meaningless.
     ///
-    /// The solid is divided into cubes. A cube is skipped if a triangle is nearer than the thickness
-    /// from all of its points, or if it is outside; it counts as a whole if no triangle is as near to
-    /// any of its points. Others are divided until their radius r is small, and then bounded by
-    /// planes. Let p be the point of a triangle T that is nearest to the centre c, n the direction
-    /// from p to c, and d the thickness. As T is convex, the distance of x from T is at least n · (x −
-    /// p), and at most |x − p|. So the infill in the cube contains all x with n · (x − p) > d for each
-    /// T, and lies within n · (x − p) > √(d² − r²); within n · (x − p) > d if the cube projects into
-    /// T. The mean of both polyhedra counts, and half of their difference is the bound.
+    /// The solid is divided into cubes. A cube is skipped if it is outside, or if a triangle is
+    /// nearer than the thickness from all of its points. It counts as a whole if no triangle is as
+    /// near to any of its points. Others are divided until their radius r is small, and then
+    /// bounded by planes.
+    ///
+    /// Let p be the point of a triangle T that is nearest to the centre c, n the direction from p
+    /// to c, and d the thickness. As T is convex, the distance of x from T is at least n · (x − p),
+    /// and at most |x − p|. So the infill in the cube contains all x with n · (x − p) > d for each
+    /// T, and lies within n · (x − p) > √(d² − r²), or n · (x − p) > d if the cube projects into T.
+    /// The mean of both polyhedra counts, and half of their difference is the bound.
     ///
     /// ```
     /// use polhode::body::mesh::{ClosedMesh, ConvexHull};
@@ -56,8 +58,9 @@ impl ClosedMesh {
     /// ```
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] for a thickness or tolerance that is not positive and finite, or one
-    /// that needs too many cells.
+    /// [`BodyError::Parameter`] for a thickness or tolerance that is not positive and finite, or
+    /// one that needs too many cells; [`BodyError::OverlappingMesh`] if the surface goes through
+    /// itself.
     pub fn infill(
         &self,
         walls: f64,
@@ -66,6 +69,10 @@ impl ClosedMesh {
     ) -> Result<MeshInfill, BodyError> {
         positive("the thickness of the walls", walls)?;
         positive("the tolerance of the infill", tolerance)?;
+        if let Some(pair) = self.diagnosis().self_overlaps.first {
+            let pairs = self.diagnosis().self_overlaps.count;
+            return Err(BodyError::OverlappingMesh { pairs, triangles: pair.triangles, point: pair.point });
+        }
         let search = Search::of(self, walls);
         let enough = |volume: f64| (tolerance * volume).max(1e-6 * self.volume());
         // Walls thicker than the solid leave no infill, whatever the size of the cells.
@@ -89,8 +96,9 @@ impl ClosedMesh {
 
 impl MeshInfill {
     /// Returns the mass properties of a solid with this infill, whose density is `fraction` of the
-    /// walls' density, and the bounds of its uncertain moments about its centre of mass, kg, kg m and
-    /// kg m². A mass is that of walls and infill together; a density is that of the walls.
+    /// walls' density. Also returns the bounds of its uncertain moments about its centre of mass,
+    /// kg, kg m and kg m². A mass is that of walls and infill together; a density is that of the
+    /// walls.
     ///
     /// # Errors
     /// [`BodyError`] for a substance or a fraction that is not physical.
@@ -201,8 +209,8 @@ impl Search {
             .fold((Moments::default(), MomentBound::default()), |all, part| (all.0 + part.0, all.1 + part.1))
     }
 
-    /// Adds the infill in a cell. `near` contains all triangles that are not farther from it than the
-    /// walls' thickness; `is_inside` is true if the cell is known to lie inside the solid.
+    /// Adds the infill in a cell. `near` contains all triangles that are not farther from it than
+    /// the walls' thickness; `is_inside` is true if the cell is known to lie inside the solid.
     fn visit(
         &self,
         cell: Cell,

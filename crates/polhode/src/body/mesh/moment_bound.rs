@@ -148,17 +148,17 @@ pub struct MassBound {
 }
 
 impl MassBound {
-    /// Returns the error bounds of a body that consists of these parts; `None` if its uncertain mass
-    /// is not smaller than its mass.
+    /// Returns the error bounds of a body that consists of these parts; `None` if its uncertain
+    /// mass is not smaller than its mass.
     ///
-    /// With ΔM, Δfᵢ and ΔSᵢⱼ for the uncertain moments about the assumed centre of mass, and M' =
+    /// Let ΔM, Δfᵢ and ΔSᵢⱼ be the uncertain moments about the assumed centre of mass, and M' =
     /// M + ΔM ≥ M − |ΔM|:
     ///
     /// Δcᵢ = Δfᵢ/M',  ΔI = tr(ΔS) 1 − ΔS − M' (|Δc|² 1 − Δc Δcᵀ),  M' Δcᵢ Δcⱼ = Δfᵢ Δfⱼ/M'
     ///
     /// Principal moments in ascending order change by at most the norm of ΔI (Weyl). The norm is at
-    /// most the largest sum of a row, and at most Σ|ΔSᵢᵢ| + Σ(Δfᵢ)²/M'. If a part of volume V and mass
-    /// m is known by its mass, its density is m/V', so that all its moments are multiplied by
+    /// most the largest sum of a row, and at most Σ|ΔSᵢᵢ| + Σ(Δfᵢ)²/M'. If a part of volume V and
+    /// mass m is known by its mass, its density is m/V', so that all its moments are multiplied by
     /// s = V/V'. Then |s − 1| ≤ |ΔV|/(V − |ΔV|) and s ≤ V/(V − |ΔV|).
     pub fn of<F: Frame>(whole: &MassProperties<F>, parts: &[UncertainPart<F>]) -> Option<Self> {
         let center = whole.center_of_mass();

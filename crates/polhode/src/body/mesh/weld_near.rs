@@ -23,7 +23,7 @@ pub struct WeldedMesh {
     pub points: usize,
     /// Largest distance between two joined vertices, m.
     pub largest_distance: f64,
-    /// Largest displacement of a vertex, m.
+    /// Largest displacement of a vertex, or of a point of a split edge, m.
     pub farthest_move: f64,
     /// Number of triangles that degenerated because two corners were joined.
     pub vanished: usize,
@@ -35,8 +35,8 @@ pub struct WeldedMesh {
     pub origins: Vec<u32>,
     /// Number of boundary edges (edges of one triangle only) after welding.
     pub open_edges: usize,
-    /// Bound of the error of the enclosed volume, m³, if the true position of each joined vertex, and
-    /// of each point of a split edge, is within `farthest_move`.
+    /// Bound of the error of the enclosed volume, m³, if the true position of each joined vertex,
+    /// and of each point of a split edge, is within `farthest_move`.
     pub volume_bound: f64,
 }
 

@@ -42,6 +42,8 @@ Examples:
   polhode inertia --box \"20 cm, 10 cm, 6 cm\" --mass \"2.5 kg\" --about corner
   polhode inertia arm.obj --part \"rod=steel\" --part \"grip=85 g\" --as urdf", robot::EXAMPLES, "
   polhode inertia torn.stl --unit mm --material steel --weld \"0.01 mm\" --write-mesh whole.stl
+  polhode inertia scan.ply --unit mm --material steel --close-within 5%
+  polhode inertia part.3mf --density \"1.24 g/cm^3\" --walls \"1.2 mm\" --infill 15%
   polhode inertia gripper.stl --unit mm --material steel --union
   polhode inertia parts/*.stl --unit mm --material steel --csv
   polhode inertia examples/notes/11-05-principal-axes.toml"].concat())]

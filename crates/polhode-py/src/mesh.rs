@@ -1,14 +1,15 @@
 //! Meshes from files and from arrays.
 
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 
 use numpy::PyReadonlyArray2;
 use polhode::body::BodyError;
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::shape::Substance;
 use polhode_document::SourceInfo;
-use polhode_shape::mesh::{MeshContents, MeshFormat, MeshLength, MeshPart};
-use polhode_shape::{MeshBody, MeshBodyError, MeshOrigin, MeshUse, MeshWords, PartSubstance};
+use polhode_shape::mesh::{MeshContents, MeshFormat, MeshLength, MeshPart, Share};
+use polhode_shape::{MeshBody, MeshBodyError, MeshOrigin, MeshUse, MeshWords, PartSubstance, Print};
 use polhode_source::expression::Expression;
 use polhode_source::files::Disk;
 use pyo3::prelude::*;
@@ -33,6 +34,10 @@ pub(crate) struct MeshOptions {
     weld: Option<String>,
     /// Largest diameter of holes that are filled, as text.
     fill: Option<String>,
+    /// Largest share of the volume that closing all holes may leave uncertain, as text.
+    close_within: Option<String>,
+    /// Thickness of the walls of a print, m, and the density of its infill, as text.
+    print: Option<(f64, String)>,
     /// True to count overlapping volumes of parts only once.
     union: bool,
     /// True to search for triangles that intersect.
@@ -52,6 +57,8 @@ struct Made {
     parts: Vec<PartSubstance>,
     weld: Option<MeshLength>,
     fill: Option<MeshLength>,
+    close_within: Option<Share>,
+    print: Option<Print>,
     field: Option<Expression>,
 }
 
@@ -67,8 +74,15 @@ impl Made {
                 .map_err(|error| refused(format!("field: {error}"), error.hint().as_deref()))
         };
         let (weld, fill) = (length("weld", options.weld.as_ref())?, length("fill", options.fill.as_ref())?);
+        let close_within =
+            options.close_within.as_ref().map(|text| share("close_within", text)).transpose()?;
+        let print = options
+            .print
+            .as_ref()
+            .map(|(walls, infill)| Ok::<_, PyErr>(Print { walls: *walls, infill: share("infill", infill)? }));
+        let print = print.transpose()?;
         let field = options.field.as_ref().map(formula).transpose()?;
-        Ok(Self { substance, parts, weld, fill, field, options })
+        Ok(Self { substance, parts, weld, fill, close_within, print, field, options })
     }
 
     /// Calculates the mass properties of the mesh that `body` creates.
@@ -84,6 +98,8 @@ impl Made {
             shell,
             weld: self.weld,
             fill: self.fill,
+            close_within: self.close_within,
+            print: self.print,
             union,
             check,
             substance: self.substance,
@@ -115,6 +131,15 @@ impl Raise for MeshBodyError {
             other => refused(&other, Some(other.hint().as_str()).filter(|hint| !hint.is_empty())),
         }
     }
+}
+
+/// Parses a share of this name.
+fn share<T: FromStr<Err = String>>(name: &str, text: &str) -> PyResult<T> {
+    text.parse().map_err(|error: String| {
+        let (message, hint) = error.split_once(" (hint: ").unwrap_or((&error, ""));
+        let hint = Some(hint.trim_end_matches(')')).filter(|hint| !hint.is_empty());
+        refused(format!("{name}: {message}"), hint)
+    })
 }
 
 /// Parses a length option of this name.

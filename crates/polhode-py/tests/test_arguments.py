@@ -226,6 +226,7 @@ def test_hints_name_keywords(tmp_path: Path) -> None:
         ("--weld 5e-07 (3 vertices", "weld=5e-07 (3 vertices"),
         ('--weld "3 um" or --fill', 'weld="3 um" or fill'),
         ("--fill 0.25, or", "fill=0.25, or"),
+        ("use --close-within 3.3%, or", 'use close_within="3.3%", or'),
         ("united by --union:", "united by union=True:"),
         ("use --lump fixed, which", "use fixed_groups(), which"),
         ("--lump fixed, --lump all or --subtree, or list them by --table; its", "fixed_groups(), inertia() or subtree, or list them by link_table(); its"),

@@ -142,6 +142,35 @@ def test_torn_and_holed_meshes_are_mended_if_asked(tmp_path: Path) -> None:
             polhode.inertia((vertices, torn), density=4.0, **options)
 
 
+def test_holes_are_closed_within_bounds_if_asked() -> None:
+    # A box with one raised corner, whose top is missing: the top is either of two pairs of triangles.
+    vertices = [[0.2, -1, 3], [1.2, -1, 3], [1.2, 0, 3], [0.2, 0, 3], [0.2, -1, 4], [1.2, -1, 4], [1.2, 0, 4.2], [0.2, 0, 4]]
+    sides = [[0, 2, 1], [0, 3, 2], [0, 1, 5], [0, 5, 4], [1, 2, 6], [1, 6, 5], [2, 3, 7], [2, 7, 6], [3, 0, 4], [3, 4, 7]]
+    with pytest.raises(polhode.PolhodeError, match=r"the mesh is open.*\n.*close_within=\"3.3%\" closes its holes"):
+        polhode.inertia((vertices, sides), unit="m", density=4.0)
+    for share in ("3.3%", 0.033):
+        with pytest.warns(polhode.PolhodeWarning, match=r"closed within bounds: 1 hole, .*at most.*\[mesh.closed_within_bounds\]"):
+            body = polhode.inertia((vertices, sides), unit="m", density=4.0, close_within=share)
+        bounds = body.to_dict()["bounds"]
+        for top in ([[4, 5, 6], [4, 6, 7]], [[4, 5, 7], [5, 6, 7]]):
+            truth = polhode.inertia((vertices, sides + top), unit="m", density=4.0)
+            assert abs(body.volume - truth.volume) <= bounds["volume"] * (1 + 1e-12)
+            assert (abs(body.center_of_mass - truth.center_of_mass) <= np.array(bounds["center_of_mass"]) + 1e-15).all()
+            assert (abs(body.inertia - truth.inertia) <= np.array(bounds["inertia"]) + 1e-15).all()
+            assert (abs(body.moments - truth.moments) <= bounds["principal_moments"] + 1e-15).all()
+        assert math.isclose(bounds["mass"], 4.0 * bounds["volume"], rel_tol=1e-6) and math.isclose(bounds["volume"], 0.2 / 6, rel_tol=1e-6)
+    for options, says in (
+        ({"close_within": "3.2%"}, r"the holes leave 3.3% of the volume uncertain, more than 3.2%.*\n.*use close_within=\"3.3%\""),
+        ({"close_within": 5}, "close_within: 5.0 is not above 0 and at most 50%"),
+        ({"close_within": "wide"}, "close_within: .*is not a share"),
+        ({"close_within": 0.05, "hull": True}, "hull and close_within are both given"),
+        ({"close_within": 0.05, "union": True}, "close_within and union are both given"),
+        ({"close_within": 0.05, "check": False}, "close_within and check=False are both given"),
+    ):
+        with pytest.raises(polhode.PolhodeError, match=says):
+            polhode.inertia((vertices, sides), unit="m", density=4.0, **options)
+
+
 def test_an_assumed_density_is_said(examples: Path) -> None:
     with pytest.warns(polhode.PolhodeWarning, match=r"1 kg/m³ is assumed \[mass.assumed\]"):
         body = polhode.inertia(examples / "bracket.stl", unit="mm")

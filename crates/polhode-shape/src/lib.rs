@@ -32,8 +32,8 @@ pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use inertia::{
     Bodies, CadChoice, Corner, DensityFormula, FileBodies, Host, Kind, LengthUnit, MassUnit, MaterialNamed,
     Measured, MeshBody, MeshBodyError, MeshChoice, MeshFile, MeshOrigin, MeshUse, MeshWords, MoleculeChoice,
-    PartSubstance, Point, Primitive, PrimitiveChoice, Request, Spacing, SubstanceChoice, Turn, VoxelChoice,
-    failed, in_body, mass_assumed, noticed, run, run_in, voxel_report,
+    PartSubstance, Point, Primitive, PrimitiveChoice, Print, Request, Spacing, SubstanceChoice, Turn,
+    VoxelChoice, failed, in_body, mass_assumed, noticed, run, run_in, voxel_report,
 };
 pub use report::{InertiaReport, MoleculeReport};
 

@@ -199,6 +199,43 @@ export interface Body {
     rounding: number | null;
   };
   /**
+   * Error bounds: of a mesh whose holes were closed, valid if each missing surface lies within the convex hull of its hole; of a printed mesh, from the cells at the boundary of the infill.
+   */
+  bounds?: {
+    /**
+     * Error bound of the volume, m³.
+     */
+    volume: number;
+    /**
+     * The same relative to the volume, dimensionless.
+     */
+    volume_share: number;
+    /**
+     * Error bound of the mass, kg.
+     */
+    mass: number;
+    /**
+     * Error bounds of the coordinates of the centre of mass, m.
+     *
+     * @minItems 3
+     * @maxItems 3
+     *
+     * Items: m.
+     */
+    center_of_mass: [number, number, number];
+    /**
+     * Error bounds of the tensor's elements, kg·m².
+     *
+     * @minItems 3
+     * @maxItems 3
+     */
+    inertia: [[number, number, number], [number, number, number], [number, number, number]];
+    /**
+     * Error bound of each principal moment, kg·m².
+     */
+    principal_moments: number;
+  };
+  /**
    * Estimated errors.
    */
   error_estimate?: {
@@ -290,6 +327,14 @@ export interface Source {
      */
     triangles_vanished: number;
     /**
+     * Number of vertices inside open edges, at which these were split.
+     */
+    t_junctions: number;
+    /**
+     * Largest distance of such a vertex from its edge, m.
+     */
+    largest_offset_m: number;
+    /**
      * Bound on the change of volume, m³.
      */
     volume_bound_m3: number;
@@ -316,7 +361,56 @@ export interface Source {
     volume_bound_m3: number;
   };
   /**
-   * Bound on the error of the volume by all repairs, m³.
+   * Holes that were closed within bounds.
+   */
+  close_within?: {
+    /**
+     * Number of holes.
+     */
+    holes: number;
+    /**
+     * Number of new triangles.
+     */
+    triangles: number;
+    /**
+     * Size of the largest hole, m.
+     */
+    largest_m: number;
+    /**
+     * Centre of the largest hole, m; null without a hole.
+     *
+     * @minItems 3
+     * @maxItems 3
+     */
+    largest_at_m: [number, number, number] | null;
+    /**
+     * Bound on the error of the volume by closing, m³.
+     */
+    volume_bound_m3: number;
+  };
+  /**
+   * Walls and infill of a printed mesh.
+   */
+  print?: {
+    /**
+     * Thickness of the walls, m.
+     */
+    walls_m: number;
+    /**
+     * Density of the infill relative to the walls', dimensionless.
+     */
+    infill: number;
+    /**
+     * Volume of the infill, m³.
+     */
+    infill_volume_m3: number;
+    /**
+     * Bound on the error of that volume, m³.
+     */
+    infill_bound_m3: number;
+  };
+  /**
+   * Bound on the error of the volume by closing and all repairs, m³.
    */
   volume_bound_m3?: number;
   /**

@@ -87,6 +87,18 @@ export interface InertiaRequest {
    */
   fill?: string | number | null;
   /**
+   * Largest share of the volume that closing all holes may leave uncertain: a percentage such as 5%, or a number.
+   */
+  "close-within"?: string | number | null;
+  /**
+   * Thickness of the walls of a printed mesh, m or with its unit.
+   */
+  walls?: string | number | null;
+  /**
+   * Density of a printed mesh behind its walls relative to the material's: a percentage such as 15%, or a number.
+   */
+  infill?: string | number | null;
+  /**
    * Use the union of all parts of a mesh, so that overlapping regions count once.
    */
   union?: boolean;

@@ -25,7 +25,7 @@ use crate::xacro::{XacroFlags, require_not_expanded};
 pub(super) const OUTPUTS: [&str; 2] = ["write_mesh", "write_inertials"];
 
 /// Options that do not apply to inertials from the geometry of links.
-const OF_OTHERS: [&str; 27] = [
+const OF_OTHERS: [&str; 30] = [
     "primitive",
     "hull",
     "shell",
@@ -33,6 +33,9 @@ const OF_OTHERS: [&str; 27] = [
     "tolerance",
     "weld",
     "fill",
+    "close_within",
+    "walls",
+    "infill",
     "union",
     "write_mesh",
     "unit",

@@ -42,6 +42,8 @@ mod mcp;
 mod measures;
 mod mend;
 mod mesh;
+mod mesh_close;
+mod mesh_print;
 mod names;
 #[path = "../../../polhode-source/tests/common/obey.rs"]
 mod obey;

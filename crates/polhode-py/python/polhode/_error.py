@@ -15,7 +15,7 @@ _SWITCHES = {"hull", "union", "resume", "force"}
 _RENAMED = {"root": "roots", "joint": "joints", "part": "parts", "omega": "omega_axes"}
 _SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule", "field", "tolerance"}
 _SAME |= {"spacing", "origin", "per-value", "link", "subtree", "geometry", "only", "threads", "workers", "worker-timeout"}
-_SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns", "moments", "start-omega", "weld", "fill", "draws"}
+_SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns", "moments", "start-omega", "weld", "fill", "close-within", "walls", "infill", "draws"}
 #: Options that are functions or attributes in Python.
 _ELSEWHERE = {"--lump fixed": "fixed_groups()", "--lump all": "inertia()", "--table": "link_table()", "--body": "the attribute body"}
 #: Commands with another name in Python.
@@ -24,7 +24,7 @@ _COMMANDS = {"torque": "required_torque"}
 #: A flag, with a value after it as an example or a placeholder.
 _VALUE = r"(?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb|wxyz|xyzw|body-to-space|space-to-body|body|space|fixed|all)\b"
 _NUMBER = r"[0-9][0-9.]*(?:e-?[0-9]+)?\b"
-_FLAG = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( {_VALUE}(?: or {_VALUE})*| {_NUMBER}| [A-Z]+\b| (?=\"))?")
+_FLAG = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( {_VALUE}(?: or {_VALUE})*| [0-9][0-9.]*%| {_NUMBER}| [A-Z]+\b| (?=\"))?")
 
 #: A command in a message.
 _COMMAND = re.compile(r"`polhode (check|explain|inertia|judge|simulate|stability|torque)`")
@@ -42,6 +42,8 @@ def in_python(text: str) -> str:
     'say it: omega_axes="body" or omega_axes="space", and sense="body_to_space" or "space_to_body"'
     >>> in_python("it closes if vertices are welded: --weld 5e-7 (3 vertices become 1)")
     'it closes if vertices are welded: weld=5e-7 (3 vertices become 1)'
+    >>> in_python("use --close-within 3.3%, or close the hole")
+    'use close_within="3.3%", or close the hole'
     >>> in_python("use --lump fixed, which needs no common frame")
     'use fixed_groups(), which needs no common frame'
     >>> in_python("`polhode torque` computes it")
@@ -59,6 +61,8 @@ def in_python(text: str) -> str:
         name = _RENAMED.get(flag, flag).replace("-", "_")
         if found[2] == " ":  # a value in quotes follows
             return f"{name}="
+        if value.endswith("%"):
+            return f'{name}="{value}"'
         if value[:1].isdigit():
             return f"{name}={value}"
         quoted = " or ".join(f'"{one.replace("-", "_")}"' for one in value.split(" or "))

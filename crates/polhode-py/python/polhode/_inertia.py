@@ -35,7 +35,7 @@ _OPTIONS = {
     "scenario": ("a scenario", set[str]()),
     "mesh": (
         "a mesh",
-        {"density", "mass", "material", "parts", "field", "tolerance", "unit", "hull", "shell", "weld", "fill", "union", "check"},
+        {"density", "mass", "material", "parts", "field", "tolerance", "unit", "hull", "shell", "weld", "fill", "close_within", "walls", "infill", "union", "check"},
     ),
     "step": ("a STEP file", {"density", "mass", "material"}),
     "particles": ("a table of particles", {"mass", "unit", "mass_unit"}),
@@ -60,6 +60,9 @@ def inertia(
     shell: Quantity | None = None,
     weld: str | float | None = None,
     fill: str | float | None = None,
+    close_within: str | float | None = None,
+    walls: Quantity | None = None,
+    infill: str | float | None = None,
     union: bool = False,
     check: bool = True,
     mass_unit: str | float | None = None,
@@ -84,7 +87,7 @@ def inertia(
         A path; an open file; ``(vertices, triangles)``; an object with ``vertices`` and ``faces``,
         such as a ``trimesh.Trimesh`` (in its ``units``, if it has any); or triangles (n, 3, 3)
         given by their corners.
-    density, mass, material, parts, field, tolerance, unit, hull, shell, weld, fill, union, check
+    density, mass, material, parts, field, tolerance, unit, hull, shell, weld, fill, close_within, walls, infill, union, check
         Options for meshes; some also apply to other files.
     mass_unit, products, decimal, isotopes, molecule, spacing, origin, per_value, link, subtree, joints
         Options for other files. The notes list the options of each kind of file. Any other option
@@ -122,6 +125,11 @@ def inertia(
         distance apart, and ``fill`` then closes holes up to that width: lengths such as
         ``"0.01 mm"``, or plain numbers, fractions of the diagonal of the mesh's bounding box.
         Repairs and their possible effect are reported as a warning and in ``to_dict()["source"]``.
+        ``close_within="5%"`` (or 0.05) closes all holes that remain, if they leave at most that
+        share of the volume uncertain. ``to_dict()["bounds"]`` has error bounds of all results,
+        valid if each missing surface lies within the convex hull of its hole. ``walls="1.2 mm"`` (m)
+        and ``infill="15%"`` (or 0.15) are those of a print: points farther from the surface than
+        the walls' thickness have that share of the density.
         ``union=True`` counts overlapping volumes once, within a part and between parts.
         ``check=False`` omits the search for triangles that intersect. The mesh must still be closed
         and consistently oriented, and the finding ``mesh.unchecked`` states the omission. Use it
@@ -189,6 +197,9 @@ def inertia(
         "shell": shell,
         "weld": weld,
         "fill": fill,
+        "close_within": close_within,
+        "walls": walls,
+        "infill": infill,
         "union": _arrays.truth("union", union) or None,
         "check": None if _arrays.truth("check", check) else False,
         "mass_unit": mass_unit,
@@ -256,15 +267,22 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
             hint = f"allowed: {', '.join(sorted(known))}" if known else "omit it: the file contains everything"
             raise PolhodeError(f"{name} has no effect on {path}, which is {words}", hint)
     if options["field"] is not None:
-        for other in ("density", "mass", "material", "parts", "shell", "union"):
+        for other in ("density", "mass", "material", "parts", "shell", "close_within", "union"):
             if options[other] is not None:
                 raise PolhodeError(f"field and {other} are both given: the formula is the density of the whole solid")
     elif options["tolerance"] is not None:
         raise PolhodeError("tolerance has no effect without field")
+    if (options["walls"] is None) != (options["infill"] is None):
+        raise PolhodeError("walls and infill belong together", 'write walls="1.2 mm", infill="15%"')
+    for other in ("hull", "shell", "union", "field", "close_within"):
+        if options["walls"] is not None and options[other] is not None:
+            raise PolhodeError(f"walls and {other} are both given: a print needs a closed mesh of one density")
+    if options["close_within"] is not None and options["union"]:
+        raise PolhodeError("close_within and union are both given: a union has no bounds")
     if options["parts"] is not None and options["union"]:
         raise PolhodeError("parts and union are both given: where parts overlap, the density would be ambiguous")
     for whole in ("hull", "shell"):
-        for repair in ("weld", "fill"):
+        for repair in ("weld", "fill", "close_within"):
             if options[whole] is not None and options[repair] is not None:
                 raise PolhodeError(f"{whole} and {repair} are both given: a hull or a sheet does not need a closed mesh")
     if options["shell"] is not None and options["union"]:
@@ -272,6 +290,8 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
     for whole in ("hull", "shell", "union"):
         if options[whole] is not None and options["check"] is not None:
             raise PolhodeError(f"{whole} and check=False are both given: check has no effect on a hull, a sheet or a union")
+    if options["close_within"] is not None and options["check"] is not None:
+        raise PolhodeError("close_within and check=False are both given: bounds need the search for intersections")
     if options["hull"] is not None and options["shell"] is not None:
         raise PolhodeError("hull and shell are both given: use either the convex hull or a sheet")
 
@@ -295,6 +315,8 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             "shell": number("shell"),
             "weld": _beside_mesh("weld", options["weld"]),
             "fill": _beside_mesh("fill", options["fill"]),
+            "close_within": _share("close_within", options["close_within"]),
+            "print": None if options["walls"] is None else (_arrays.positive("walls", options["walls"]), _share("infill", options["infill"])),
             "union": bool(options["union"]),
             "check": options["check"] is None,
             "parts": of_parts(options["parts"]),
@@ -351,6 +373,11 @@ def _beside_mesh(name: str, length: str | float | None) -> str | None:
     of_size = not has_units(length)
     found = repr(_arrays.positive(name, length))
     return found if of_size else f"{found} m"
+
+
+def _share(name: str, share: str | float | None) -> str | None:
+    """Returns a share such as ``"5%"`` or ``0.05`` as text."""
+    return share if share is None or isinstance(share, str) else repr(_arrays.number(name, share))
 
 
 def _unit(unit: str | float | None, name: str, of_mass: bool) -> float | None:

@@ -33,6 +33,8 @@ class MeshOptions(TypedDict):
     shell: float | None
     weld: str | None
     fill: str | None
+    close_within: str | None
+    print: tuple[float, str] | None
     union: bool
     check: bool
     parts: list[tuple[str, Given]]

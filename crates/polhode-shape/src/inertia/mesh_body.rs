@@ -5,20 +5,23 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use polhode::body::mesh::{ConvexHull, MeshShell};
-use polhode::body::shape::{Extent, Shape, Substance};
+use polhode::body::shape::{Extent, Substance};
 use polhode::body::{BodyError, Finding, Severity};
 use polhode_document::{Extra, SourceInfo};
 use polhode_source::expression::Expression;
 use polhode_source::files::Files;
 
+use super::bounded::Uncertain;
 use super::choice::PartSubstance;
 use super::field;
 use super::host::Host;
 use super::in_body;
 use super::mesh_error::MeshBodyError;
+use super::piece::Piece;
+use super::print::{self, Print};
 use crate::mesh::{
-    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, SolidPart,
-    UnitedMesh,
+    AssumedMetres, MeshContents, MeshFormat, MeshLength, MeshRepair, MeshSolid, RepairBound, Share,
+    SolidPart, UnitedMesh,
 };
 use crate::report::{InertiaReport, PartRow};
 
@@ -36,6 +39,10 @@ pub struct MeshUse<'a> {
     pub weld: Option<MeshLength>,
     /// Maximum size of holes that are closed.
     pub fill: Option<MeshLength>,
+    /// Largest share of the volume that may be uncertain when all holes are closed.
+    pub close_within: Option<Share>,
+    /// Walls and infill of a print.
+    pub print: Option<Print>,
     /// True to use the union of all parts.
     pub union: bool,
     /// True to search for triangles that intersect; hulls, sheets and unions do not depend on it.
@@ -95,25 +102,9 @@ pub struct MeshBody<'a> {
     pub(super) pieces: Vec<Piece>,
     pub(super) findings: Vec<Finding>,
     rows: Vec<PartRow>,
-    error: Option<Extra>,
+    errors: Vec<Extra>,
     metres_assumed: bool,
     how: MeshUse<'a>,
-}
-
-/// Part with its shape.
-pub(super) struct Piece {
-    pub(super) name: String,
-    pub(super) shape: Box<dyn Shape>,
-}
-
-impl Piece {
-    fn new(name: String, shape: impl Shape + 'static) -> Self {
-        Self { name, shape: Box::new(shape) }
-    }
-
-    fn volume(&self) -> f64 {
-        self.shape.spread().extent().measure()
-    }
 }
 
 /// Shapes of a mesh, before masses are assigned.
@@ -123,6 +114,7 @@ struct Model {
     pieces: Vec<Piece>,
     findings: Vec<Finding>,
     field: Option<field::Found>,
+    uncertain: Option<Uncertain>,
 }
 
 /// Common part of the source of every model.
@@ -183,12 +175,21 @@ impl<'a> MeshUse<'a> {
     ) -> Result<MeshBody<'a>, MeshBodyError> {
         self.require_wanted()?;
         let metres_assumed = self.unit.is_none() && contents.unit.is_none();
-        let Model { source, unit, pieces, mut findings, field } = self.model(contents, origin, host)?;
+        let Model { source, unit, pieces, mut findings, field, uncertain } =
+            self.model(contents, origin, host)?;
         let (rows, error) = match field {
             Some(found) => (found.rows, Some(found.error)),
             None => (self.weighed(&pieces, &mut findings)?, None),
         };
-        Ok(MeshBody { source, unit, pieces, findings, rows, error, metres_assumed, how: self })
+        let mut errors = Vec::from_iter(error);
+        if let Some(uncertain) = uncertain {
+            errors.push(uncertain.bounds(&rows, self.parts, self.substance)?);
+        }
+        let printed: Vec<_> = pieces.iter().filter_map(|piece| piece.printed.as_ref()).collect();
+        if !printed.is_empty() {
+            errors.push(print::bounds(&printed, &rows, self.parts, self.substance)?);
+        }
+        Ok(MeshBody { source, unit, pieces, findings, rows, errors, metres_assumed, how: self })
     }
 
     fn require_wanted(&self) -> Result<(), MeshBodyError> {
@@ -211,7 +212,14 @@ impl<'a> MeshUse<'a> {
             };
             let pieces = contents.parts.iter().map(sheet).collect::<Result<_, BodyError>>()?;
             let source = stated.source("taken as a sheet", given, count, unit).with("taken_as", "sheet");
-            return Ok(Model { source, unit, pieces, findings: contents.findings, field: None });
+            return Ok(Model {
+                source,
+                unit,
+                pieces,
+                findings: contents.findings,
+                field: None,
+                uncertain: None,
+            });
         }
         let points: usize = contents.parts.iter().map(|part| part.mesh.coordinates().len()).sum();
         if self.hull {
@@ -234,14 +242,28 @@ impl<'a> MeshUse<'a> {
             let source = with_repairs(source.with("taken_as", "union").with(name, numbers), &repairs);
             let unit = united.unit;
             let pieces = vec![Piece::new(String::new(), united.union)];
-            return Ok(Model { source, unit, pieces, findings, field: None });
+            return Ok(Model { source, unit, pieces, findings, field: None, uncertain: None });
         }
-        let solids = if self.check { MeshSolid::watched } else { MeshSolid::unchecked };
+        let (contents, closure) = match self.close_within {
+            None => (contents, None),
+            Some(_) => contents
+                .capped(origin.path, self.goes_on)
+                .map(|(contents, closure)| (contents, Some(closure)))?,
+        };
+        // Bounds hold only for caps that do not intersect the mesh.
+        let solids = if self.check || closure.is_some() { MeshSolid::watched } else { MeshSolid::unchecked };
+        let capped = if closure.is_some() { contents.parts.clone() } else { Vec::new() };
         let solid =
             solids(contents, origin.path, origin.format, self.unit, self.goes_on).map_err(explained)?;
         self.require_wanted()?;
         let mut findings = MeshRepair::findings(&repairs, &solid, &file);
         findings.extend(solid.findings_in(&file));
+        let uncertain = match self.close_within.zip(closure) {
+            None => None,
+            Some((most, closure)) => {
+                Uncertain::of(&solid, &capped, closure, &repairs, most, (&mut findings, &file))?
+            }
+        };
         let turned = solid.parts.iter().any(|part| part.mesh.inverted());
         let what = match (self.hull, turned) {
             (true, _) if given == 0 => format!("taken as the convex hull of {points} points"),
@@ -250,22 +272,36 @@ impl<'a> MeshUse<'a> {
             (false, false) => "closed, consistently wound".to_owned(),
         };
         let what = if self.check { what } else { format!("{what}, not checked for self-intersections") };
+        let what = match self.print {
+            None => what,
+            Some(print) => format!("{what}, {}", print.in_words()),
+        };
         let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
         // A hull or a repaired mesh has different triangles than the file.
-        let triangles = match self.hull || !repairs.is_empty() {
+        let triangles = match self.hull || !repairs.is_empty() || uncertain.is_some() {
             true => solid.parts.iter().map(|part| part.mesh.surface().triangles().len()).sum(),
             false => given,
         };
         let taken_as = if self.hull { "convex_hull" } else { "solid" };
         let source = stated.source(&what, triangles, solid.parts.len(), solid.unit);
-        let source = with_repairs(source.with("vertices", vertices).with("taken_as", taken_as), &repairs);
+        let mut source = with_repairs(source.with("vertices", vertices).with("taken_as", taken_as), &repairs);
+        if let Some(uncertain) = &uncertain {
+            source = uncertain.stated(source);
+        }
         let field = match self.field {
             Some(formula) => Some(field::found(&solid.parts, formula, self.tolerance, host)?),
             None => None,
         };
-        let piece = |part: SolidPart| Piece::new(part.name, part.mesh);
-        let pieces = solid.parts.into_iter().map(piece).collect();
-        Ok(Model { source, unit: solid.unit, pieces, findings, field })
+        let piece = |part: SolidPart| -> Result<Piece, MeshBodyError> {
+            let printed = self.print.map(|print| print.of(part.mesh.clone(), self.goes_on)).transpose()?;
+            Ok(Piece { printed, ..Piece::new(part.name, part.mesh) })
+        };
+        let pieces = solid.parts.into_iter().map(piece).collect::<Result<Vec<_>, _>>()?;
+        self.require_wanted()?;
+        if let Some(print) = self.print {
+            source = print.stated(source, pieces.iter().filter_map(|piece| piece.printed.as_ref()));
+        }
+        Ok(Model { source, unit: solid.unit, pieces, findings, field, uncertain })
     }
 
     /// Returns each part with its mass.
@@ -290,7 +326,7 @@ impl<'a> MeshUse<'a> {
             Some(_) if rest.is_empty() => return Err(MeshBodyError::AllNamed),
             // The total mass of the remaining parts, at one common density.
             Some(Substance::Mass(mass)) if rest.len() > 1 => {
-                Substance::Density(mass / rest.iter().map(|piece| piece.volume()).sum::<f64>())
+                Substance::Density(mass / rest.iter().map(|piece| piece.material()).sum::<f64>())
             }
             Some(substance) => substance,
             None => {
@@ -302,7 +338,7 @@ impl<'a> MeshUse<'a> {
         };
         let row = |piece: &Piece| {
             let substance = own(piece).map_or(common, |given| given.substance);
-            let properties = in_body(piece.shape.mass_properties(substance)?)?;
+            let properties = in_body(piece.mass_properties(substance)?)?;
             Ok(PartRow { name: piece.name.clone(), properties, volume: Some(piece.volume()) })
         };
         pieces.iter().map(row).collect()
@@ -323,7 +359,7 @@ impl MeshBody<'_> {
         }
         let mut report = InertiaReport::of_parts(source, &self.rows)?;
         report.surface_area = Some(self.pieces.iter().map(|piece| piece.shape.surface_area()).sum());
-        report.extras.extend(self.error);
+        report.extras.extend(self.errors);
         report.findings = self.findings;
         if self.metres_assumed {
             let assumed = AssumedMetres {

@@ -8,8 +8,9 @@ use polhode::math::Body;
 use polhode_source::{Failure, shown};
 
 use super::in_body;
-use super::mesh_body::{MeshBody, Piece};
+use super::mesh_body::MeshBody;
 use super::mesh_error::MeshBodyError;
+use super::piece::Piece;
 use crate::mesh::{MeshFormat, MeshPart};
 
 /// Mesh after repairs, wound outward, in the file's unit.

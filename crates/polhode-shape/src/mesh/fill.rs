@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
+use polhode::body::BodyError;
 use polhode::body::mesh::{FilledMesh, HolesLeft};
 use polhode_source::FormatError;
 
@@ -26,30 +27,37 @@ impl MeshContents {
         let unit = unit.or(self.unit).unwrap_or(1.0);
         let refused = |error| solid::no_solid(path, "", error);
         let size = size.beside(solid::joined(&self.parts).map_err(refused)?.diagonal(), unit);
+        self = self.with_whole_surfaces().map_err(refused)?;
+        let mut fills = Vec::new();
+        for part in &mut self.parts {
+            let mut filled = part.mesh.filled(size).map_err(refused)?;
+            part.mesh = std::mem::take(&mut filled.mesh);
+            fills.push(filled);
+        }
+        Ok((self, repair(&fills, unit)))
+    }
+
+    /// Merges parts with open edges in common, which are pieces of one surface, into one part
+    /// without a name each, with a finding.
+    pub(super) fn with_whole_surfaces(mut self) -> Result<Self, BodyError> {
         let first = first_pieces(&self.parts);
-        let (mut parts, mut fills) = (Vec::new(), Vec::new());
-        for (k, MeshPart { name, mesh }) in self.parts.iter().enumerate() {
-            if first[k] != k {
-                continue; // merged with the first piece
-            }
+        let mut parts = Vec::new();
+        for (k, part) in self.parts.iter().enumerate().filter(|(k, _)| first[*k] == *k) {
             let pieces =
                 || self.parts.iter().zip(&first).filter(|(_, first)| **first == k).map(|piece| piece.0);
-            let (name, filled) = match pieces().count() {
-                1 => (name.clone(), mesh.filled(size)),
+            match pieces().count() {
+                1 => parts.push(part.clone()),
                 count => {
                     let message = format!(
                         "{count} open parts of the file form one surface, and were merged into one part"
                     );
                     self.findings.push(info("mesh.joined", message));
-                    (String::new(), solid::joined(pieces()).and_then(|all| all.filled(size)))
+                    parts.push(MeshPart { name: String::new(), mesh: solid::joined(pieces())? });
                 }
-            };
-            let mut filled = filled.map_err(refused)?;
-            parts.push(MeshPart { name, mesh: std::mem::take(&mut filled.mesh) });
-            fills.push(filled);
+            }
         }
         self.parts = parts;
-        Ok((self, repair(&fills, unit)))
+        Ok(self)
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod affine;
 mod assumed_unit;
+mod closure;
 pub mod collada;
 mod fill;
 pub mod gltf;
@@ -16,6 +17,7 @@ pub mod points;
 mod polygon;
 mod repair;
 mod scan;
+mod share;
 mod solid;
 pub mod stl;
 pub mod stl_error;
@@ -37,8 +39,11 @@ use crate::brep::BrepFormat;
 use crate::finding::warning;
 
 pub use assumed_unit::{AssumedMetres, longest_side};
+pub use closure::{MeshClosure, UnboundedClosure};
 pub use length::MeshLength;
 pub use repair::{MeshRepair, RepairBound};
+pub(crate) use share::percent_above;
+pub use share::{Fraction, Share};
 pub use solid::{MeshSolid, SolidPart};
 pub use union::UnitedMesh;
 

@@ -25,6 +25,10 @@ pub enum MeshRepair {
         largest_distance: f64,
         /// Number of triangles that vanished because two corners became one.
         vanished: usize,
+        /// Number of T-junctions: vertices inside open edges, at which these were split.
+        junctions: usize,
+        /// Maximum distance of such a vertex from its edge, m.
+        largest_offset: f64,
         /// Bound on the error.
         bound: RepairBound,
     },
@@ -98,7 +102,12 @@ impl MeshRepair {
 
     /// Returns true if the repair changed the mesh.
     const fn is_something(&self) -> bool {
-        matches!(self, Self::Welded { points: 1.., .. } | Self::Filled { holes: 1.., .. })
+        matches!(
+            self,
+            Self::Welded { points: 1.., .. }
+                | Self::Welded { junctions: 1.., .. }
+                | Self::Filled { holes: 1.., .. }
+        )
     }
 
     /// Returns the condition under which the bound holds.
@@ -112,13 +121,23 @@ impl MeshRepair {
     /// Returns name and numbers as JSON.
     pub fn for_programs(&self) -> (&'static str, Value) {
         match *self {
-            Self::Welded { vertices, points, largest_distance, vanished, bound } => (
+            Self::Welded {
+                vertices,
+                points,
+                largest_distance,
+                vanished,
+                junctions,
+                largest_offset,
+                bound,
+            } => (
                 "weld",
                 json!({
                     "vertices": vertices,
                     "points": points,
                     "largest_distance_m": largest_distance,
                     "triangles_vanished": vanished,
+                    "t_junctions": junctions,
+                    "largest_offset_m": largest_offset,
                     "volume_bound_m3": bound.volume,
                 }),
             ),
@@ -149,15 +168,33 @@ impl MeshRepair {
 
     fn in_words(&self) -> String {
         match *self {
-            Self::Welded { points: 0, .. } => {
+            Self::Welded { points: 0, junctions: 0, .. } => {
                 "nothing was welded: no vertices of open edges are within this distance".to_owned()
             }
-            Self::Welded { vertices, points, largest_distance, vanished, .. } => format!(
-                "weld: {} welded to {}, at most {largest_distance:.2e} m apart; {} vanished",
-                if vertices == 1 { "1 vertex was".to_owned() } else { format!("{vertices} vertices were") },
-                counted(points, "point"),
-                if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
-            ),
+            Self::Welded {
+                vertices, points, largest_distance, vanished, junctions, largest_offset, ..
+            } => {
+                let joined = (points > 0).then(|| {
+                    format!(
+                        "{} welded to {}, at most {largest_distance:.2e} m apart; {} vanished",
+                        if vertices == 1 {
+                            "1 vertex was".to_owned()
+                        } else {
+                            format!("{vertices} vertices were")
+                        },
+                        counted(points, "point"),
+                        if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
+                    )
+                });
+                let split = (junctions > 0).then(|| {
+                    let was = if junctions == 1 { "was" } else { "were" };
+                    format!(
+                        "{} {was} welded, at most {largest_offset:.2e} m from their edges",
+                        counted(junctions, "T-junction")
+                    )
+                });
+                format!("weld: {}", joined.into_iter().chain(split).collect::<Vec<_>>().join("; "))
+            }
             Self::Filled { holes: 0, left, .. } => {
                 let why = holes_left::why(left).unwrap_or_else(|| "the mesh has no open edges".to_owned());
                 format!("nothing was filled: {why}")
@@ -288,9 +325,16 @@ impl MeshContents {
 
 /// Divides the welded mesh into the triangles of each part.
 fn divided(together: &WeldedMesh, parts: &[MeshPart]) -> Result<Vec<TriangleMesh>, BodyError> {
-    let mut corners = together.mesh.corners();
+    let corners: Vec<_> = together.mesh.corners().collect();
+    let (given, added) = corners.split_at(corners.len() - together.origins.len());
+    let mut first = 0;
     let own = |part: &MeshPart| {
-        let triangles = corners.by_ref().take(part.mesh.triangles().len()).collect();
+        let range = first..first + part.mesh.triangles().len();
+        first = range.end;
+        let at_junctions = added.iter().zip(&together.origins);
+        let at_junctions = at_junctions.filter(|(_, origin)| range.contains(&(**origin as usize)));
+        let mut triangles = given[range.clone()].to_vec();
+        triangles.extend(at_junctions.map(|(triangle, _)| triangle));
         TriangleMesh::of_soup(triangles)
     };
     parts.iter().map(own).collect()
@@ -305,6 +349,8 @@ fn repair(welded: &[WeldedMesh], unit: f64) -> MeshRepair {
         points: count(|mesh| mesh.points),
         largest_distance: most(|mesh| mesh.largest_distance),
         vanished: count(|mesh| mesh.vanished),
+        junctions: count(|mesh| mesh.junctions),
+        largest_offset: most(|mesh| mesh.largest_offset),
         bound: RepairBound { volume, beyond: most(|mesh| mesh.farthest_move) },
     }
 }
@@ -322,6 +368,8 @@ mod tests {
             points: 1,
             largest_distance: 0.05,
             vanished: 0,
+            junctions: 0,
+            largest_offset: 0.0,
             bound: RepairBound { volume: welded, beyond: moved },
         };
         let ball = |r: f64| 4.0 / 3.0 * std::f64::consts::PI * r * r * r;

@@ -10,7 +10,7 @@ use polhode_source::files::Files;
 use polhode_source::text::{counted, escaped};
 use polhode_source::{FormatError, FormatErrorKind};
 
-use super::{MeshContents, MeshFormat, MeshLength, MeshPart, union_hint};
+use super::{MeshContents, MeshFormat, MeshLength, MeshPart, Share, percent_above, union_hint};
 use crate::finding::{info, warning};
 
 /// Mesh file as solids, in metres.
@@ -222,8 +222,29 @@ fn open_or_unsound(
             counted(fill.triangles, "triangle"),
             fill.size
         )),
-        None => error,
+        None => match bounded_share(contents, path, goes_on) {
+            Some(share) => error.with_hint(format!(
+                "close the surface in the tool that made it; or `polhode inertia` with --close-within {} closes its holes and reports values with bounds, with --hull uses its convex hull, with --shell a sheet along it",
+                percent_above(share)
+            )),
+            None => error,
+        },
     }
+}
+
+/// Returns the share of the volume to which closing all holes bounds the volume, if it is at most
+/// one half.
+fn bounded_share(contents: &MeshContents, path: &Path, goes_on: &(dyn Fn() -> bool + Sync)) -> Option<f64> {
+    if !goes_on() {
+        return None;
+    }
+    let (capped, closure) = contents.clone().capped(path, goes_on).ok()?;
+    let (solids, _) = solids(&capped.parts, true, goes_on).ok()?;
+    if closure.crossing(&capped.parts, &solids, 1.0).is_some() {
+        return None;
+    }
+    let volume: f64 = solids.iter().map(|solid| solid.mesh.volume()).sum();
+    Some(closure.share(volume, 0.0)).filter(|share| *share <= Share::MOST)
 }
 
 /// First part that does not bound a solid, with its flaws.

@@ -217,3 +217,69 @@ proptest! {
         prop_assert_eq!((a.open_edges, a.points), (0, 42));
     }
 }
+
+/// Returns a generic solid whose triangles are split at points of one or two of their edges. The
+/// points are on the edges, or `off` them. Returns also the number of the points.
+fn with_junctions(off: f64) -> (Vec<Triangle>, usize) {
+    let mut random = Random(29);
+    let (mut triangles, mut points) = (Vec::new(), 0);
+    for (k, [a, b, c]) in ring(9, 7).into_iter().enumerate() {
+        let between = |t: f64, random: &mut Random| {
+            let on: [f64; 3] = std::array::from_fn(|i| a[i] + t * (b[i] - a[i]));
+            random.moved(on, off)
+        };
+        match k % 5 {
+            1 => {
+                let p = between(0.37, &mut random);
+                triangles.extend([[a, p, c], [p, b, c]]);
+                points += 1;
+            }
+            3 => {
+                let [p, q] = [between(0.21, &mut random), between(0.68, &mut random)];
+                triangles.extend([[a, p, c], [p, q, c], [q, b, c]]);
+                points += 2;
+            }
+            _ => triangles.push([a, b, c]),
+        }
+    }
+    (triangles, points)
+}
+
+#[test]
+fn t_junctions_are_welded_and_counted() {
+    let whole = ClosedMesh::from_triangles(ring(9, 7)).unwrap();
+    for (off, tolerance) in [(0.0, 1e-12), (1e-5, 3e-5)] {
+        let (triangles, points) = with_junctions(off);
+        let open = TriangleMesh::of_triangles(&triangles).unwrap();
+        assert!(ClosedMesh::of(&open).is_err());
+        let welded = open.welded(tolerance).unwrap();
+        assert_eq!((welded.junctions, welded.joined, welded.open_edges), (points, 0, 0));
+        assert_eq!(welded.origins.len(), points);
+        assert!(welded.largest_offset <= off + 1e-15 && welded.largest_offset >= 0.3 * off);
+        let solid = ClosedMesh::of(&welded.mesh).unwrap();
+        assert!(solid.diagnosis().self_overlaps.is_empty() || off == 0.0);
+        let change = (solid.volume() - whole.volume()).abs();
+        assert!(change <= welded.volume_bound + 1e-14, "{change:e} {:e}", welded.volume_bound);
+        assert!(off > 0.0 || change < 1e-14);
+        assert!(off == 0.0 || change > 1e-3 * welded.volume_bound, "{change:e}");
+        assert!(off == 0.0 || open.welded(0.03 * tolerance).unwrap().open_edges > 0);
+    }
+}
+
+/// A point at a junction of a junction: the split edges are split again.
+#[test]
+fn splits_are_repeated_until_no_junction_is_left() {
+    let [o, x, y, z] = [[0.3, -0.2, 0.1], [2.3, -0.2, 0.1], [0.3, 2.8, 0.1], [0.3, -0.2, 1.1]];
+    // One side has the edge from x to y whole, the other in three pieces, and one of these pieces
+    // belongs to a triangle that is split along another edge as well.
+    let on = |t: f64| [x[0] + t * (y[0] - x[0]), x[1] + t * (y[1] - x[1]), 0.1];
+    let [p, q] = [on(0.25), on(0.625)];
+    let m = [0.5 * (o[0] + x[0]), -0.2, 0.1];
+    let base = [[o, y, q], [o, q, p], [o, p, m], [m, p, x]];
+    let others = [[o, x, z], [o, z, y], [x, y, z]];
+    let open = TriangleMesh::of_triangles(&[base.as_slice(), &others].concat()).unwrap();
+    let welded = open.welded(1e-9).unwrap();
+    assert_eq!((welded.junctions, welded.open_edges), (3, 0));
+    let volume = ClosedMesh::of(&welded.mesh).unwrap().volume();
+    assert!((volume - 1.0).abs() < 1e-15, "{volume}");
+}

@@ -138,6 +138,14 @@ static INERTIA: Subcommand = Subcommand {
             &[],
         ),
         choice(
+            "--close-within",
+            &["--close-within", "5%"],
+            &["holed", "torn holed", "holed again", "holed unnamed"],
+            &[],
+        ),
+        choice("--walls", &["--walls", "2 cm"], MESHES, &["--infill"]),
+        choice("--infill", &["--infill", "15%"], MESHES, &["--walls"]),
+        choice(
             "--union",
             &["--union"],
             &["parts overlapping", "torn overlapping", "holed overlapping", "unnamed overlapping"],

@@ -8,7 +8,7 @@ use polhode_source::given::{Given, Length, Number, Positive};
 use serde::{Deserialize, Serialize};
 
 use super::substance::PartSubstance;
-use crate::mesh::MeshLength;
+use crate::mesh::{Fraction, MeshLength, Share};
 
 /// Options that conflict with --field, and therefore with --tolerance. clap does not check the
 /// conflicts of a required option.
@@ -38,14 +38,28 @@ pub struct MeshChoice {
     /// Tolerance for the estimated relative error of --field [default: 1e-10].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "ERROR", requires = "field", conflicts_with_all = WITHOUT_FIELD))]
     pub tolerance: Option<Given<Positive<Number>>>,
-    /// Join vertices of open edges within this distance: a length such as "0.01 mm", or a plain
-    /// number relative to the mesh's size (the diagonal of its box).
+    /// Join vertices of open edges within this distance, and split open edges at vertices within
+    /// it: a length such as "0.01 mm", or a plain number relative to the mesh's size (the diagonal
+    /// of its box).
     #[cfg_attr(feature = "arguments", arg(long, value_name = "TOL", conflicts_with_all = ["hull", "shell"]))]
     pub weld: Option<Given<Positive<MeshLength>>>,
     /// Close holes up to this size, after a weld: a length such as "2 mm", or a plain number
     /// relative to the mesh's size.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "SIZE", conflicts_with_all = ["hull", "shell"]))]
     pub fill: Option<Given<Positive<MeshLength>>>,
+    /// Close all holes that remain, if they leave at most this share of the volume uncertain, such
+    /// as 5%; the report then has error bounds, valid if each missing surface lies within the
+    /// convex hull of its hole.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "SHARE", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance"]))]
+    pub close_within: Option<Given<Share>>,
+    /// Print the mesh with walls of this thickness along its surface, and an infill (--infill)
+    /// behind them.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "THICKNESS", requires = "infill", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance", "close_within"]))]
+    pub walls: Option<Given<Positive<Length>>>,
+    /// Density of the infill behind --walls relative to the material's, such as 15%; its distance
+    /// from the surface exceeds the walls' thickness.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "SHARE", requires = "walls", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance", "close_within"]))]
+    pub infill: Option<Given<Fraction>>,
     /// Use the union of all parts, so that regions that overlap or repeat count once; after a weld
     /// and a fill.
     #[cfg_attr(feature = "arguments", arg(long, conflicts_with_all = ["shell", "part", "field", "tolerance", "write_mesh", "force"]))]
@@ -82,6 +96,9 @@ impl MeshChoice {
             (self.tolerance.is_some(), "--tolerance"),
             (self.weld.is_some(), "--weld"),
             (self.fill.is_some(), "--fill"),
+            (self.close_within.is_some(), "--close-within"),
+            (self.walls.is_some(), "--walls"),
+            (self.infill.is_some(), "--infill"),
             (self.union, "--union"),
             (self.write_mesh.is_some(), "--write-mesh"),
         ];

@@ -67,7 +67,7 @@ impl core::ops::Add for HolesLeft {
 }
 
 /// Maximum number of edges of a loop that is filled; the cost is proportional to its cube.
-const MOST_EDGES: usize = 256;
+pub(super) const MOST_EDGES: usize = 256;
 
 impl TriangleMesh {
     /// Fills the holes whose diameter is at most `size`, m. The diameter is the largest distance
@@ -253,7 +253,7 @@ fn reach(points: &[[f64; 3]], hole: &[u32]) -> f64 {
 /// its diagonals.
 ///
 /// A plane polygon is triangulated without overlap, because any other triangulation has more area.
-fn triangulated(points: &[[f64; 3]], hole: &[u32]) -> Vec<[u32; 3]> {
+pub(super) fn triangulated(points: &[[f64; 3]], hole: &[u32]) -> Vec<[u32; 3]> {
     // Starts at the lexicographically smallest vertex, so that the result does not depend on the
     // order of the triangles if two triangulations have equal area.
     let key = |v: &u32| points[*v as usize].map(|c| c + 0.0);

@@ -127,6 +127,24 @@ impl Windings<'_> {
     }
 }
 
+/// Returns the winding number of a closed mesh about a point that is not on it, in scaled units.
+pub(crate) fn winding(welded: &Welded, tree: &Tree, point: [f64; 3]) -> i32 {
+    const AXIS: usize = 2;
+    let mut winding = 0;
+    tree.along(welded, point, AXIS, |t| {
+        let triangle = welded.triangle(t as usize);
+        if is_seen_at(triangle, AXIS, across(AXIS, point)) {
+            let [a, b, c] = triangle.map(|p| across(AXIS, p));
+            let along = turn(a, b, c) > 0.0;
+            // The point is behind the plane if the normal points along the ray.
+            if (side(triangle, point) < 0.0) == along {
+                winding += if along { 1 } else { -1 };
+            }
+        }
+    });
+    winding
+}
+
 /// Relative tolerance within which two volumes count as equal, to allow for rounding.
 const SAME: f64 = 1e-12;
 

@@ -1,5 +1,6 @@
 //! Triangle meshes, their diagnosis, and the solids that they bound.
 
+mod cap;
 mod close_pairs;
 pub(crate) mod closed;
 mod clusters;
@@ -12,12 +13,16 @@ mod fan;
 pub(crate) mod fill;
 mod flaws;
 pub(crate) mod hull;
+mod infill;
 mod inside;
 mod integral;
+mod junctions;
 mod layer;
 mod meeting;
+mod moment_bound;
 pub(crate) mod near_miss;
 mod neighborhood;
+mod offset_cell;
 mod oriented;
 mod overlap;
 mod patches;
@@ -35,6 +40,7 @@ mod weld;
 pub(crate) mod weld_near;
 mod work;
 
+pub use cap::{CappedMesh, MeshHole};
 pub use closed::ClosedMesh;
 pub use component::{ComponentRole, MeshComponent};
 pub use derivatives::MeshDerivatives;
@@ -43,6 +49,8 @@ pub use effect::MeshEffect;
 pub use fill::{FilledMesh, HolesLeft};
 pub use flaws::MeshFlaws;
 pub use hull::ConvexHull;
+pub use infill::MeshInfill;
+pub use moment_bound::{MassBound, MomentBound, UncertainPart};
 pub use near_miss::{ClosingFill, ClosingWeld};
 pub use places::MeshPlaces;
 pub use shell::MeshShell;

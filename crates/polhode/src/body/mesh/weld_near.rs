@@ -4,6 +4,7 @@ use super::TriangleMesh;
 use super::close_pairs::{ClosePairs, distance};
 use super::clusters::{across, clusters, mean};
 use super::edges::{Edges, end_of, start_of};
+use super::junctions::Junctions;
 use super::threads::Threads;
 use super::weld::{NONE, Welded, is_proper};
 use crate::body::error::{BodyError, positive};
@@ -14,7 +15,7 @@ use crate::body::triangle_mesh::normal;
 #[non_exhaustive]
 pub struct WeldedMesh {
     /// Mesh with each vertex once. It has all triangles in their order; degenerated ones have two
-    /// equal corners.
+    /// equal corners. Triangles that were added at T-junctions follow.
     pub mesh: TriangleMesh,
     /// Number of boundary vertices that were joined with others.
     pub joined: usize,
@@ -22,14 +23,20 @@ pub struct WeldedMesh {
     pub points: usize,
     /// Largest distance between two joined vertices, m.
     pub largest_distance: f64,
-    /// Largest displacement of a vertex, m.
+    /// Largest displacement of a vertex, or of a point of a split edge, m.
     pub farthest_move: f64,
     /// Number of triangles that degenerated because two corners were joined.
     pub vanished: usize,
+    /// Number of T-junctions: vertices inside boundary edges, which were split there.
+    pub junctions: usize,
+    /// Largest distance of such a vertex from its edge, m.
+    pub largest_offset: f64,
+    /// Index of the original triangle of each triangle that was added at a T-junction.
+    pub origins: Vec<u32>,
     /// Number of boundary edges (edges of one triangle only) after welding.
     pub open_edges: usize,
-    /// Bound of the error of the enclosed volume, m³, if the true position of each joined vertex is
-    /// within `farthest_move` of its point.
+    /// Bound of the error of the enclosed volume, m³, if the true position of each joined vertex,
+    /// and of each point of a split edge, is within `farthest_move`.
     pub volume_bound: f64,
 }
 
@@ -54,6 +61,9 @@ impl TriangleMesh {
     /// one point, its mean, which does not depend on the order of the triangles. All vertices of a
     /// cluster must be within the tolerance of each other. Otherwise the result is an error,
     /// because details smaller than the tolerance would be lost.
+    ///
+    /// Then T-junctions are welded: where a boundary vertex is within the tolerance of the interior
+    /// of a boundary edge of another triangle, that triangle is split there.
     ///
     /// The volume is then known to within `volume_bound`. Moving the vertices of N triangles with
     /// areas A and perimeters P by up to d changes the volume by at most
@@ -124,6 +134,9 @@ impl TriangleMesh {
         let proper = exact.corners.iter().filter(|corners| is_proper(corners)).count();
         exact.corners.as_flattened_mut().iter_mut().for_each(|v| *v = into[*v as usize]);
         let vanished = proper - exact.corners.iter().filter(|corners| is_proper(corners)).count();
+        let junctions = Junctions::split(&mut exact, reach, threads);
+        junctions.vertices.iter().for_each(|&v| is_moved[v as usize] = true);
+        let farthest = farthest + junctions.farthest;
         let volume_bound = swept(&exact, &is_moved, farthest) * exact.unit.powi(3);
         let open_edges = Edges::of(&exact.corners, exact.points.len(), threads).boundary.len();
         Ok(WeldedMesh {
@@ -132,6 +145,9 @@ impl TriangleMesh {
             largest_distance: widest * exact.unit,
             farthest_move: farthest * exact.unit,
             vanished,
+            junctions: junctions.count,
+            largest_offset: junctions.farthest * exact.unit,
+            origins: junctions.origins,
             open_edges,
             volume_bound,
             mesh: compact(exact),

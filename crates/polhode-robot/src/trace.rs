@@ -145,14 +145,8 @@ fn literals(pattern: &str) -> Vec<String> {
                 continue;
             }
         };
-        let open = characters.next();
-        let mut depth = 1;
-        for inner in characters.by_ref() {
-            depth += i32::from(Some(inner) == open) - i32::from(inner == close);
-            if depth == 0 {
-                break;
-            }
-        }
+        // As in xacro, an expression ends at the first closing bracket.
+        let _ = characters.by_ref().find(|c| *c == close);
         parts.push(String::new());
     }
     parts
@@ -197,7 +191,7 @@ mod tests {
             ("${side}_arm", "left_arm"),
             ("${side}_arm", "_arm"),
             ("leg_$(arg number)_${end}", "leg_3_foot"),
-            ("${dict['}'] if {} else 'a'}x", "}x"),
+            ("${d['(']}x$(arg {})", "1x2"),
             ("${a}b${c}b", "bb"),
         ] {
             assert!(matches(pattern, name), "{pattern} {name}");

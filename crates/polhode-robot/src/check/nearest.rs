@@ -57,7 +57,10 @@ fn described(tensor: Elements, distance: f64, rest: &str) -> NearestTensor {
 
 /// Returns the reason why no possible tensor is at a finite affine-invariant distance.
 fn not_positive(moments: &Moments) -> String {
-    let [_, i2, i3] = moments.values;
+    let [i1, i2, i3] = moments.values;
+    if i1 > 0.0 {
+        return "none: principal moment i1 is zero within rounding".to_owned();
+    }
     let which = match (i2 > 0.0, i3 > 0.0) {
         (true, _) => "moment i1 is",
         (false, true) => "moments i1 and i2 are",

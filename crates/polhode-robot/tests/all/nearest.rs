@@ -122,6 +122,8 @@ fn a_negative_moment_has_a_reason_instead_of_an_affine_invariant_neighbour() {
     assert!(proposed(&found["frobenius"]).1 > 0.3);
     let found = nearest(["-1.31", "0.02", "0", "-1.25", "0.3", "1.75"]);
     assert_eq!(found["affine_invariant"]["none"], "principal moments i1 and i2 are not positive");
+    let found = nearest(["1e-20", "0", "0", "1.25", "0", "3.5"]);
+    assert_eq!(found["affine_invariant"]["none"], "principal moment i1 is zero within rounding");
     let text = words(["-1.5", "0", "0", "-1.25", "0", "-1.75"]);
     assert!(text.contains("ixx 0, iyy 0, izz 0, ixy 0, ixz 0, iyz 0 kg·m², a point"), "{text}");
     let text = words(["-1.5", "0", "0", "1.25", "0", "1.75"]);

@@ -16,7 +16,7 @@ pub enum ModelFormat {
     Sdf,
     /// XML format of MuJoCo.
     Mjcf,
-    /// Universal Scene Description as text (`.usda`), with the UsdPhysics schema.
+    /// Universal Scene Description, with the UsdPhysics schema.
     Usd,
     /// XML format of OpenSim.
     Osim,
@@ -36,6 +36,9 @@ pub struct RobotModel {
     /// True if the text states its numbers in m, kg and kg·m². Otherwise the number texts stored
     /// here are converted to these units, and nothing is repaired.
     pub is_si: bool,
+    /// False if the text cannot be edited to change one link: a binary USD layer, or a prim that
+    /// occurs several times. Nothing is repaired then.
+    pub is_editable: bool,
     /// Included files, each once, sorted by their start.
     pub included: Vec<Source>,
     /// Name of the model, if it has one.
@@ -70,6 +73,7 @@ impl RobotModel {
             format,
             text: String::new(),
             is_si: true,
+            is_editable: true,
             included: Vec::new(),
             name: None,
             links: Vec::new(),

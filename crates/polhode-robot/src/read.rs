@@ -67,8 +67,8 @@ impl Default for ReadOptions<'_> {
     }
 }
 
-/// Reads a URDF, SDF, MJCF, USD (`.usda`) or OpenSim file. The root element or first word
-/// determines the format.
+/// Reads a URDF, SDF, MJCF, USD or OpenSim file. The root element or first word determines the
+/// format.
 ///
 /// ```
 /// use polhode_robot::read::{ReadOptions, read_text};
@@ -83,23 +83,23 @@ impl Default for ReadOptions<'_> {
 /// [`FormatError`] if the file cannot be read, is not UTF-8, is not well-formed, has an unknown
 /// format, or has a document type.
 pub fn read_model(path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
-    let text = polhode_source::read_text_file(options.files, path, |text| Ok(text.to_owned()));
-    match text {
+    let bytes = polhode_source::read_file(options.files, path, |bytes| Ok(bytes.to_vec()))?;
+    if cfg!(feature = "languages") && usd::is_binary(&bytes) {
+        return finished(usd::read(bytes, path, options)?);
+    }
+    match String::from_utf8(bytes) {
         Ok(text) => read(text, path, options),
-        Err(error) => Err(binary_usd(options.files, path).unwrap_or(error)),
+        Err(error) => {
+            let valid = error.utf8_error().valid_up_to();
+            Err(FormatError::not_utf8(path, error.as_bytes(), valid))
+        }
     }
 }
 
-/// Returns the error for a binary USD file, with a hint how to convert it.
-fn binary_usd(files: &dyn Files, path: &Path) -> Option<FormatError> {
-    let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-    if !matches!(ending.as_str(), "usd" | "usdc" | "usdz") || !files.is_file(path) {
-        return None;
-    }
-    let error = ContentErrorKind::unsupported("binary USD").of_whole();
-    let file = path.file_name()?.to_string_lossy().into_owned();
-    let error = error.hint(format!("convert it to text: usdcat --flatten {file} --out robot.usda"));
-    Some(FormatError::of_content(path, b"", error))
+/// Moves frames that are not finite.
+fn finished(mut model: RobotModel) -> Result<RobotModel, FormatError> {
+    keep_finite(&mut model);
+    Ok(model)
 }
 
 /// Reads a model from a text. `path` is for messages; its folder resolves the files that the model
@@ -154,11 +154,7 @@ fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotMod
         return Err(FormatError::of_content(path, text.as_bytes(), error));
     }
     if cfg!(feature = "languages") && format_of(&text) == Some(ModelFormat::Usd) {
-        let mut model = RobotModel::empty(path, ModelFormat::Usd);
-        usd::read(&text, &mut model)
-            .map_err(|error| FormatError::of_content(path, text.as_bytes(), error))?;
-        keep_finite(&mut model);
-        return Ok(RobotModel { text, ..model });
+        return finished(usd::read(text.into_bytes(), path, options)?);
     }
     let roots = uri::Roots::of(path, options);
     let naming = match format_of(&text) {

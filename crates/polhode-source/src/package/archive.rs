@@ -89,6 +89,12 @@ impl<'a> Archive<'a> {
         self.numbers.contains_key(&key(path))
     }
 
+    /// Returns the names of all entries, in the order of the archive's directory.
+    pub fn names(&self) -> Vec<String> {
+        let all = (0..self.zip.len()).filter_map(|k| self.zip.name_for_index(k)?.ok());
+        all.map(|name| name.into_owned()).collect()
+    }
+
     /// Opens an entry for reading.
     pub fn stream(&mut self, path: &str) -> Result<Stream<'_, 'a>, ContentError> {
         let Some(&number) = self.numbers.get(&key(path)) else {

@@ -3,8 +3,9 @@
 //! Values that `MassAPI` omits, or states as zero (−inf for the centre), are computed by the
 //! physics engine from the collision shapes. Here they are missing.
 
-use super::layer::{Prim, Value};
+use super::layer::Prim;
 use super::unit::in_si;
+use super::value::Value;
 use super::{Stage, applies, changing};
 use crate::finding::Severity;
 use crate::model::{Inertial, Link, Note, Number, Pose, Slot, Tensor};

@@ -4,8 +4,9 @@
 //! not read, because the schema does not define its unit.
 
 use super::Stage;
-use super::layer::{Prim, Value};
+use super::layer::Prim;
 use super::path::absolute;
+use super::value::Value;
 use crate::coordinate::{NO_NUMBER, limits};
 use crate::model::{Coordinate, Follows, JointKind, Name};
 

@@ -1,32 +1,43 @@
-//! USD as text: rigid bodies of UsdPhysics, with their masses, shapes and joints.
+//! USD: rigid bodies of UsdPhysics, with their masses, shapes and joints.
 //!
 //! Lengths in a file are in the layer's unit (`metersPerUnit`, by default a centimetre) and
 //! masses in `kilogramsPerUnit`. Here all numbers and their texts are in SI units. Quaternions are
 //! (w, x, y, z). The up axis of the stage is not applied to bodies.
 //!
-//! Only one layer is read. Content of other layers (`subLayers`, `references`, `payload`,
-//! `inherits`, `specializes`, variant sets) is reported as a note.
+//! A text layer without arcs is read by itself, with its wrong numbers. A layer with arcs
+//! (`subLayers`, `references`, `payload`, `inherits`, `specializes`, variant sets), a binary layer
+//! and a package are composed with the feature `usd`. Without it, arcs are reported as notes.
 //!
 //! Source: openusd.org, "Rigid Body Physics in USD"; the schemas UsdPhysics and UsdGeom.
 
 mod body;
 mod changing;
+#[cfg(feature = "usd")]
+mod composed;
 mod coordinate;
 mod joint;
 mod layer;
 mod mass_site;
 mod path;
 mod shape;
+mod statement;
 mod token;
 mod unit;
+mod value;
 mod xform;
 
 use std::collections::HashMap;
+#[cfg(feature = "usd")]
+use std::collections::HashSet;
+use std::path::Path;
 
-use polhode_source::ContentError;
+#[cfg(not(feature = "usd"))]
+use polhode_source::ContentErrorKind;
+use polhode_source::{ContentError, FormatError};
 
+use super::ReadOptions;
 use crate::finding::Severity;
-use crate::model::{Note, Pose, RobotModel};
+use crate::model::{ModelFormat, Note, Pose, RobotModel};
 use layer::{Layer, Prim, require_short};
 use unit::Units;
 use xform::Affine;
@@ -36,15 +47,91 @@ pub(crate) use mass_site::{MassSite, mass_sites};
 /// Metadata keys that refer to other layers or prims.
 const ELSEWHERE: [&str; 5] = ["references", "payload", "inherits", "specializes", "subLayers"];
 
-/// Fills the model from a layer.
-pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentError> {
-    let layer = Layer::of(text)?;
+/// Returns true for the bytes of a binary layer or of a package.
+pub(super) fn is_binary(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PXR-USDC") || bytes.starts_with(b"PK")
+}
+
+/// Reads a stage by its root layer or package.
+///
+/// # Errors
+/// [`FormatError`] if a layer cannot be read, or if the stage cannot be composed.
+pub(super) fn read(
+    bytes: Vec<u8>,
+    path: &Path,
+    options: &ReadOptions<'_>,
+) -> Result<RobotModel, FormatError> {
+    let mut model = RobotModel::empty(path, ModelFormat::Usd);
+    let layer = match single(&bytes, path)? {
+        Some(layer) => {
+            model.text = String::from_utf8(bytes).unwrap_or_default();
+            layer
+        }
+        None => composed(bytes, path, options, &mut model)?,
+    };
+    let failed = |model: &RobotModel, error| FormatError::of_content(path, model.text.as_bytes(), error);
+    let bytes = model.texts().map(str::len).sum();
+    fill(&layer, bytes, &mut model).map_err(|error| failed(&model, error))?;
+    Ok(model)
+}
+
+/// Returns a text layer that is read by itself: one without arcs, or any without the feature `usd`.
+fn single(bytes: &[u8], path: &Path) -> Result<Option<Layer>, FormatError> {
+    let Ok(text) = str::from_utf8(bytes) else { return Ok(None) };
+    if is_binary(bytes) {
+        return Ok(None);
+    }
+    let layer = Layer::of(text).map_err(|error| FormatError::of_content(path, bytes, error))?;
+    Ok((!cfg!(feature = "usd") || !layer.has_arcs()).then_some(layer))
+}
+
+#[cfg(feature = "usd")]
+fn composed(
+    bytes: Vec<u8>,
+    path: &Path,
+    options: &ReadOptions<'_>,
+    model: &mut RobotModel,
+) -> Result<Layer, FormatError> {
+    let composed::Composed { layer, notes, sources, is_text } = composed::read(path, bytes, options)?;
+    let mut sources = sources.into_iter();
+    model.text = sources.next().map_or_else(String::new, |root| root.text);
+    model.included = sources.collect();
+    model.notes = notes;
+    model.is_editable = is_text && !has_shared(&layer);
+    Ok(layer)
+}
+
+#[cfg(not(feature = "usd"))]
+fn composed(
+    bytes: Vec<u8>,
+    path: &Path,
+    _options: &ReadOptions<'_>,
+    _model: &mut RobotModel,
+) -> Result<Layer, FormatError> {
+    let error = ContentErrorKind::unsupported("binary USD in this build, which reads USD text").of_whole();
+    let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let error = error.hint(format!(
+        "check it with the command polhode, or convert it to text: usdcat --flatten {file} --out robot.usda"
+    ));
+    Err(FormatError::of_content(path, &bytes[..0], error))
+}
+
+/// Returns true if two prims have their values at one place: both are instances of one prim.
+#[cfg(feature = "usd")]
+fn has_shared(layer: &Layer) -> bool {
+    let mut places = HashSet::new();
+    let masses = layer.prims.iter().filter_map(|prim| prim.properties.get(body::MASS));
+    masses.into_iter().any(|mass| !places.insert(mass.span.clone()))
+}
+
+/// Fills the model from a layer; `bytes` is the length of its text.
+fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), ContentError> {
     model.name = layer.metadata.get("defaultPrim").and_then(|prim| prim.words.first().cloned());
-    let units = Units::of(&layer, &mut model.notes)?;
+    let units = Units::of(layer, &mut model.notes)?;
     model.is_si = units.are_si();
-    elsewhere(&layer, &mut model.notes);
-    twice(&layer, &mut model.notes);
-    let stage = Stage::of(&layer, units);
+    elsewhere(layer, &mut model.notes);
+    twice(layer, &mut model.notes);
+    let stage = Stage::of(layer, units);
     let mut links = HashMap::new();
     for (k, prim) in layer.prims.iter().enumerate() {
         if stage.is_body(k) {
@@ -72,7 +159,7 @@ pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentErro
         }
         let parent = joint.parent.as_ref().map_or(0, |parent| parent.text.len());
         path_bytes += joint.name.text.len() + joint.child.text.len() + parent;
-        require_short(path_bytes, text.len(), prim.span.clone())?;
+        require_short(path_bytes, bytes, prim.span.clone())?;
         model.joints.push(joint);
     }
     Ok(())

@@ -5,7 +5,8 @@
 //!
 //! Source: openusd.org, `UsdGeomXformable`.
 
-use super::layer::{Prim, Value};
+use super::layer::Prim;
+use super::value::Value;
 use crate::model::{Number, Pose};
 use crate::pose::{about, dot, product, unit};
 

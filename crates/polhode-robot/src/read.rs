@@ -14,6 +14,7 @@
 //! xacro is not read; expand it first.
 
 mod checked;
+mod computed;
 mod files;
 mod mjcf;
 mod model_file;

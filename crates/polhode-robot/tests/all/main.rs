@@ -42,5 +42,6 @@ mod slips;
 mod twins;
 mod urdf;
 mod usd;
+mod usd_stages;
 mod usd_stated;
 mod valid_models;

@@ -36,7 +36,8 @@ pub(super) fn of(stage: &Stage<'_>, prim: &Prim, kind: JointKind) -> Coordinate 
         _ => ("linear", stage.units.kilograms),
     };
     let own = prim.properties.get(&format!("physxJointAxis:{axis}:armature"));
-    let armature = own.or_else(|| prim.properties.get("physxJoint:armature"));
+    let others = ["physxJoint:armature", "mjc:armature", "newton:armature"];
+    let armature = own.or_else(|| others.iter().find_map(|name| prim.properties.get(*name)));
     let armature = armature.map_or(0.0, |value| number(value).map_or(f64::NAN, |armature| unit * armature));
     let limits = limits(limit("lower"), limit("upper"));
     Coordinate { limits, follows, armature, ..Coordinate::default() }

@@ -17,12 +17,14 @@ mod composed;
 mod coordinate;
 mod joint;
 mod layer;
+mod mass;
 mod mass_site;
 mod path;
 mod shape;
 mod statement;
 mod token;
 mod unit;
+mod unread;
 mod value;
 mod xform;
 
@@ -133,21 +135,53 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
     twice(layer, &mut model.notes);
     let stage = Stage::of(layer, units);
     let mut links = HashMap::new();
+    // Colliders of each link, and its prim; `None` if it cannot be computed.
+    let mut colliders: Vec<(Option<&Prim>, Vec<(usize, usize)>)> = Vec::new();
     for (k, prim) in layer.prims.iter().enumerate() {
         if stage.is_body(k) {
             links.insert(k, model.links.len());
-            let link = body::link(&stage, k, prim, &mut model.notes);
+            let (link, is_computable) = body::link(&stage, k, prim, &mut model.notes);
             model.links.push(link);
+            colliders.push((is_computable.then_some(prim), Vec::new()));
         }
         let body = stage.body_around(k).filter(|_| !prim.is_abstract);
-        let link = body.and_then(|body| links.get(&body)).and_then(|&link| model.links.get_mut(link));
-        let Some(link) = link else { continue };
+        let index = body.and_then(|body| links.get(&body)).copied();
+        let link = index.and_then(|link: usize| Some((model.links.get_mut(link)?, colliders.get_mut(link)?)));
+        let Some((link, (computable, colliders))) = link else {
+            unread::of(prim, &mut model.notes);
+            continue;
+        };
         changing::of_shape(prim, &link.name.text, &mut model.notes);
         let frame = Pose::new(link.pose.position, link.pose.rotation);
-        link.geometry.extend(shape::geometry(&stage, k, prim, &frame));
-        if !stage.is_body(k) && body::has_mass(prim) && link.inertial.is_none() {
-            link.from_geometry = true;
-            link.computed = Some(Err("the masses of its shapes are not added".to_owned()));
+        let is_collider = applies(prim, "PhysicsCollisionAPI") && !prim.is_off("physics:collisionEnabled");
+        match shape::geometry(&stage, k, prim, &frame) {
+            Some(geometry) => {
+                if is_collider {
+                    colliders.push((k, link.geometry.len()));
+                }
+                link.geometry.push(geometry);
+            }
+            None if is_collider => body::no_shape(prim, link, computable),
+            None => {}
+        }
+        if let Some(why) = unread::of(prim, &mut model.notes) {
+            *computable = None;
+            if is_collider && link.inertial.is_none() {
+                link.computed = Some(Err(why));
+            }
+        }
+        if !stage.is_body(k) && body::has_mass(prim) {
+            let changes = changing::of_mass(prim, &body::ATTRIBUTES, &mut model.notes);
+            if changes.is_some() {
+                *computable = None;
+            } else if !is_collider {
+                body::ignored(prim, &mut model.notes);
+            }
+        }
+    }
+    for (link, (body, colliders)) in model.links.iter_mut().zip(&colliders) {
+        if let Some(body) = body {
+            mass::compute(&stage, body, link, colliders, &mut model.notes);
         }
     }
     let mut path_bytes = 0;
@@ -251,6 +285,13 @@ impl<'l> Stage<'l> {
 
     fn body_around(&self, prim: usize) -> Option<usize> {
         self.bodies.get(prim).copied().flatten()
+    }
+
+    /// Returns the pose of a prim in the frame of its body.
+    fn pose_in_body(&self, prim: usize) -> Option<Pose> {
+        let (_, body) = self.place(self.body_around(prim)?).scaled_pose()?;
+        let (_, own) = self.place(prim).scaled_pose()?;
+        Some(body.inverse().then(&own))
     }
 
     fn place(&self, prim: usize) -> Affine {

@@ -48,6 +48,14 @@ impl Affine {
         a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) < 0.0
     }
 
+    /// Returns true if it does more than turn and move.
+    pub(super) fn is_scaled(&self) -> bool {
+        self.is_mirrored()
+            || self
+                .scaled_pose()
+                .is_none_or(|(scale, _)| scale.iter().any(|factor| (factor - 1.0).abs() > 1e-5))
+    }
+
     fn inverse(&self) -> Option<Self> {
         let [a, b, c] = self.linear;
         let cross = |u: [f64; 3], v: [f64; 3]| {

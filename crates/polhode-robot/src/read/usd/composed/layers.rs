@@ -93,9 +93,10 @@ impl Layers {
 
     /// Adds a layer, and returns its identifier.
     fn insert(&mut self, layer: LayerFile) -> String {
+        // `openusd` finds the format of this extension in the content.
         let id = match &layer.entry {
-            Some(entry) => format!("{}[{entry}]", layer.file.display()),
-            None => layer.file.display().to_string(),
+            Some(entry) => format!("{}/{entry}.usd", layer.file.display()),
+            None => format!("{}.usd", layer.file.display()),
         };
         if !self.files.contains_key(&id) {
             self.order.push(id.clone());

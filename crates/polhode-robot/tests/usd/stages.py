@@ -291,7 +291,7 @@ def has_collider(body):
 
 
 def main():
-    folder, count = Path(sys.argv[1]), sys.argv[2]
+    folder, count = Path(sys.argv[1]).resolve(), sys.argv[2]
     draw = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     kinds = KINDS if count == "kinds" else [draw.choice(KINDS) for _ in range(int(count))]
     stages = []

@@ -85,7 +85,7 @@ impl Layers {
             };
             for name in named {
                 let target = layers.target(&id, &name, roots)?;
-                layers.names.insert((id.clone(), name), target);
+                layers.names.insert(key(&id, &name), target);
             }
         }
         Ok(layers)
@@ -180,6 +180,11 @@ impl Layers {
     }
 }
 
+/// Returns the key of a name in a layer; `openusd` drops `.` from paths.
+pub(super) fn key(layer: &str, name: &str) -> (String, String) {
+    (layer.to_owned(), name.split('/').filter(|part| *part != ".").collect::<Vec<_>>().join("/"))
+}
+
 /// Returns the error for a stage that `openusd` refuses.
 pub(super) fn failed(error: impl Display) -> ContentError {
     ContentError::unsupported(format!("a stage that the crate openusd does not compose: {error:#}"))
@@ -263,8 +268,7 @@ pub(super) struct OwnLayers(pub(super) Arc<Layers>);
 impl Resolver for OwnLayers {
     fn create_identifier(&self, asset_path: &str, anchor: Option<&ResolvedPath>) -> String {
         let Some(anchor) = anchor else { return asset_path.to_owned() };
-        let key = (anchor.to_string_lossy().into_owned(), asset_path.to_owned());
-        match self.0.names.get(&key) {
+        match self.0.names.get(&key(&anchor.to_string_lossy(), asset_path)) {
             Some(Ok(id)) => id.clone(),
             // No identifier ends like this, so it is not found.
             _ => format!("{asset_path}\u{0}"),

@@ -5,7 +5,7 @@ use openusd::sdf::Value as Field;
 use openusd::usd::{Prim, Stage};
 use polhode_source::{ContentError, ContentErrorKind};
 
-use super::layers::{Layers, failed};
+use super::layers::{Layers, failed, key};
 use super::places::Places;
 use crate::finding::Severity;
 use crate::model::{Note, Span};
@@ -59,8 +59,7 @@ fn plain(layers: &Layers, message: &str) -> String {
 }
 
 fn missing(layers: &Layers, layer: &str, name: &str, prim: &str, span: Span) -> Note {
-    let key = (layer.to_owned(), name.to_owned());
-    let why = match layers.names.get(&key) {
+    let why = match layers.names.get(&key(layer, name)) {
         Some(Err(why)) => format!(": {why}"),
         _ => String::new(),
     };

@@ -25,10 +25,15 @@ const MOST_DEPTH: usize = 50;
 
 /// Checks all sizes in a binary layer.
 pub(super) fn require_sound(bytes: &[u8]) -> Result<(), ContentError> {
-    let mut claims = Claims { bytes, steps: 0 };
+    let mut claims = Claims { bytes, steps: 0, tokens: 0, strings: 0, paths: 0 };
     claims.sections()?;
     let file = CrateFile::open(Cursor::new(bytes))
         .map_err(|error| damaged(0, format!("a binary USD layer: {error:#}")))?;
+    (claims.tokens, claims.strings, claims.paths) =
+        (file.tokens.len() as u64, file.strings.len() as u64, file.paths.len() as u64);
+    for token in &file.strings {
+        claims.require(*token as u64 + 1, claims.tokens, 0)?;
+    }
     for field in &file.fields {
         claims.value(field.value_rep.0, 0)?;
     }
@@ -40,7 +45,14 @@ struct Claims<'b> {
     bytes: &'b [u8],
     /// Values that were visited; dictionaries may share values.
     steps: u64,
+    /// Numbers of tokens, strings and paths, to which values refer by index.
+    tokens: u64,
+    strings: u64,
+    paths: u64,
 }
+
+/// Check of an item of a list by its offset; returns its end.
+type Item<'i> = &'i dyn Fn(&mut Claims<'_>, u64) -> Result<u64, ContentError>;
 
 fn damaged(offset: u64, what: String) -> ContentError {
     let kind = ContentErrorKind::unsupported(what);
@@ -163,22 +175,60 @@ impl Claims<'_> {
             return Err(damaged(at, "dictionaries nested too deep".to_owned()));
         }
         if is_inlined {
-            return Ok(());
+            let index = at & u64::from(u32::MAX);
+            return match kind {
+                10 => self.require(index + 1, self.strings, at),
+                11 | 12 | 53 | 57 => self.require(index + 1, self.tokens, at),
+                _ => Ok(()),
+            };
         }
         match kind {
-            10 | 12 | 57 if is_array => drop(self.counted(at, 4)?),
-            48 => self.elements(at, 9, is_packed)?,
-            _ if is_array => self.elements(at, kind, is_packed)?,
-            31 => self.dictionary(at, depth).map(drop)?,
-            35 | 55 => self.lists(at, 0, depth, Some(kind == 35))?,
-            32..=39 | 54 => self.lists(at, if matches!(kind, 37 | 39) { 8 } else { 4 }, depth, None)?,
-            40 | 41 | 50 => drop(self.counted(at, 4)?),
-            45 | 58 => drop(self.counted(at, 8)?),
-            46 => self.samples(at, depth)?,
-            49 => drop(self.counted(at, 16)?),
-            _ => {}
+            10 | 12 | 57 if is_array => self.indices(at, self.strings),
+            10 | 12 | 57 => self.index(at, self.strings),
+            11 if is_array && at > 0 => self.indices(at, self.tokens),
+            11 if !is_array => self.require(self.long(at)?.saturating_add(1), self.tokens, at),
+            48 => self.elements(at, 9, is_packed),
+            _ if is_array => self.elements(at, kind, is_packed),
+            31 => self.dictionary(at, depth).map(drop),
+            35 => self.lists(at, &|claims, at| claims.dictionary(claims.arc(at)?, depth)),
+            55 => self.lists(at, &|claims, at| claims.arc(at)),
+            47 => self.arc(at).map(drop),
+            32 => self.lists(at, &|claims, at| claims.index(at, claims.tokens).map(|()| at + 4)),
+            33 | 54 => self.lists(at, &|claims, at| claims.index(at, claims.strings).map(|()| at + 4)),
+            34 => self.lists(at, &|claims, at| claims.index(at, claims.paths).map(|()| at + 4)),
+            36 | 38 => self.lists(at, &|_, at| Ok(at + 4)),
+            37 | 39 => self.lists(at, &|_, at| Ok(at + 8)),
+            40 => self.indices(at, self.paths),
+            41 => self.indices(at, self.tokens),
+            50 => self.indices(at, self.strings),
+            45 => self.pairs(at, self.strings),
+            58 => self.pairs(at, self.paths),
+            46 => self.samples(at, depth),
+            49 => self.counted(at, 16).map(drop),
+            _ => Ok(()),
         }
-        Ok(())
+    }
+
+    /// Checks an index of 32 bits.
+    fn index(&self, at: u64, most: u64) -> Result<(), ContentError> {
+        self.require(u64::from(u32::from_le_bytes(self.array(at)?)) + 1, most, at)
+    }
+
+    /// Checks a counted list of indices.
+    fn indices(&self, at: u64, most: u64) -> Result<(), ContentError> {
+        (0..self.counted(at, 4)?).try_for_each(|k| self.index(at + 8 + 4 * k, most))
+    }
+
+    /// Checks a counted list of pairs of indices.
+    fn pairs(&self, at: u64, most: u64) -> Result<(), ContentError> {
+        (0..2 * self.counted(at, 8)?).try_for_each(|k| self.index(at + 8 + 4 * k, most))
+    }
+
+    /// Checks the name, path and layer offset of an arc, and returns their end.
+    fn arc(&self, at: u64) -> Result<u64, ContentError> {
+        self.index(at, self.strings)?;
+        self.index(at + 4, self.paths)?;
+        Ok(at + 24)
     }
 
     /// Checks an array of numbers or tokens.
@@ -219,25 +269,16 @@ impl Claims<'_> {
         self.integers(at + 13 + values * width, count).map(drop)
     }
 
-    /// Checks the lists of a list operation; the items are references (`Some(true)`), payloads
-    /// (`Some(false)`), or have a size.
-    fn lists(&mut self, at: u64, size: u64, depth: usize, arcs: Option<bool>) -> Result<(), ContentError> {
-        /// Bytes of string, path and layer offset.
-        const ARC: u64 = 24;
+    /// Checks the lists of a list operation. `item` checks an item and returns its end.
+    fn lists(&mut self, at: u64, item: Item<'_>) -> Result<(), ContentError> {
         let mut lists = self.byte(at)? >> 1;
         let mut at = at + 1;
         while lists != 0 {
             if lists & 1 == 1 {
-                let count = self.counted(at, if arcs.is_some() { ARC } else { size })?;
+                let count = self.counted(at, 4)?;
                 at += 8;
-                match arcs {
-                    Some(true) => {
-                        for _ in 0..count {
-                            at = self.dictionary(at + ARC, depth)?;
-                        }
-                    }
-                    Some(false) => at += ARC * count,
-                    None => at += size * count,
+                for _ in 0..count {
+                    at = item(self, at)?;
                 }
             }
             lists >>= 1;
@@ -250,6 +291,7 @@ impl Claims<'_> {
         let count = self.counted(at, 12)?;
         let mut at = at + 8;
         for _ in 0..count {
+            self.index(at, self.strings)?;
             let value = self.jump(at + 4)?;
             self.value(self.long(value)?, depth + 1)?;
             at = value + 8;

@@ -47,7 +47,7 @@ pub(super) fn flattened(layers: &Arc<Layers>, places: &Places) -> Result<(Layer,
         };
         layer.metadata.extend(value.map(|value| (key.to_owned(), value)));
     }
-    let mut notes = notes::of_units(&stage, layers, places);
+    let mut notes = Vec::new();
     let mut undefined = Vec::new();
     let mut waiting = vec![(SpecPath::abs_root(), None, 0)];
     while let Some((path, mut parent, depth)) = waiting.pop() {
@@ -67,6 +67,7 @@ pub(super) fn flattened(layers: &Arc<Layers>, places: &Places) -> Result<(Layer,
             }
             let prim = stage.prim(&path);
             notes.extend(notes::of_variants(&stage, &prim, places)?);
+            notes.extend(notes::of_targets(&stage, &prim, layers, places)?);
             layer.prims.push(of_prim(&stage, &prim, parent, places)?);
             parent = Some(own);
         }
@@ -83,6 +84,7 @@ pub(super) fn flattened(layers: &Arc<Layers>, places: &Places) -> Result<(Layer,
         }
     }
     notes.extend(errors);
+    notes.extend(notes::of_units(&stage, layers, places));
     Ok((layer, notes))
 }
 
@@ -133,11 +135,11 @@ fn property(
     for (id, site) in attribute.property_stack().map_err(failed)? {
         let Some(layer) = stage.layer(&id) else { continue };
         let data = layer.data();
-        let Some((owner, _)) = site.split_property() else { continue };
-        let written = places.property(&id, owner.as_str(), name);
-        let place = written
-            .as_ref()
-            .map_or_else(|| places.of_prim(&id, owner.as_str())[0].clone(), |w| w.span.clone());
+        let owner = site.as_str().strip_suffix(name).and_then(|owner| owner.strip_suffix('.'));
+        let owner = owner.unwrap_or_default();
+        let written = places.property(&id, owner, name);
+        let place =
+            written.as_ref().map_or_else(|| places.of_prim(&id, owner)[0].clone(), |w| w.span.clone());
         if data.spec_type(&site) == Some(SpecType::Relationship) {
             let words: Vec<_> = prim.relationship(name.to_owned()).targets().map_err(failed)?;
             let words = words.iter().map(|target| target.as_str().to_owned()).collect();
@@ -148,7 +150,7 @@ fn property(
         {
             if data.has_field(&site, field) {
                 let key = format!("{name}.{suffix}");
-                let value = places.property(&id, owner.as_str(), &key);
+                let value = places.property(&id, owner, &key);
                 let value = value.unwrap_or(Value { span: place.clone(), ..Value::default() });
                 found.push((key, value));
             }

@@ -45,6 +45,8 @@ pub(super) struct Layers {
     pub(super) order: Vec<String>,
     /// Identifier of the layer that a name in a layer means, or the reason why there is none.
     pub(super) names: HashMap<(String, String), Result<String, String>>,
+    /// Names of the sublayers of each layer.
+    sublayers: HashMap<String, Vec<String>>,
     /// Packages by file.
     packages: HashMap<PathBuf, Arc<[u8]>>,
 }
@@ -79,16 +81,34 @@ impl Layers {
         while let Some(id) = layers.order.get(next).cloned() {
             next += 1;
             let Some(layer) = layers.files.get(&id) else { continue };
-            let named = match layer.text() {
+            let (sublayers, named) = match layer.text() {
                 Some(text) => names_in(&parsed(layer, text)?),
                 None => binary(layer).map_err(|error| layer.failed(error))?,
             };
+            layers.sublayers.insert(id.clone(), sublayers);
             for name in named {
                 let target = layers.target(&id, &name, roots)?;
                 layers.names.insert(key(&id, &name), target);
             }
         }
         Ok(layers)
+    }
+
+    /// Returns a layer and its sublayers, those of sublayers included.
+    pub(super) fn with_sublayers(&self, id: &str) -> Vec<String> {
+        let mut all = vec![id.to_owned()];
+        let mut next = 0;
+        while let Some(of) = all.get(next).cloned() {
+            next += 1;
+            for name in self.sublayers.get(&of).into_iter().flatten() {
+                if let Some(Ok(under)) = self.names.get(&key(&of, name))
+                    && !all.contains(under)
+                {
+                    all.push(under.clone());
+                }
+            }
+        }
+        all
     }
 
     /// Adds a layer, and returns its identifier.
@@ -225,7 +245,7 @@ fn parsed(layer: &LayerFile, text: &str) -> Result<openusd::sdf::Data, FormatErr
 }
 
 /// Checks a binary layer, and returns the names of other layers in it.
-fn binary(layer: &LayerFile) -> Result<Vec<String>, ContentError> {
+fn binary(layer: &LayerFile) -> Result<(Vec<String>, Vec<String>), ContentError> {
     if !is_crate(&layer.bytes) {
         let hint = "USD layers begin with #usda or PXR-USDC";
         return Err(ContentErrorKind::unsupported("a layer that is not UTF-8").of_whole().hint(hint));
@@ -236,12 +256,13 @@ fn binary(layer: &LayerFile) -> Result<Vec<String>, ContentError> {
     Ok(names_in(&data))
 }
 
-/// Returns the asset paths of references, payloads and sublayers in a layer.
-fn names_in(data: &dyn AbstractData) -> Vec<String> {
-    let mut names = Vec::new();
+/// Returns the asset paths of sublayers in a layer, and those of all arcs.
+fn names_in(data: &dyn AbstractData) -> (Vec<String>, Vec<String>) {
+    let (mut sublayers, mut names) = (Vec::new(), Vec::new());
     let field = |path: &SpecPath, name: &str| data.try_field(path, name).ok().flatten();
     if let Some(Value::StringVec(layers)) = field(&SpecPath::abs_root(), "subLayers").as_deref() {
-        names.extend(layers.iter().cloned());
+        sublayers.clone_from(layers);
+        names.clone_from(layers);
     }
     for path in data.spec_paths().iter().filter(|path| !path.is_property_path()) {
         if let Some(Value::ReferenceListOp(list)) = field(path, "references").as_deref() {
@@ -258,7 +279,7 @@ fn names_in(data: &dyn AbstractData) -> Vec<String> {
     names.retain(|name| !name.is_empty());
     names.sort();
     names.dedup();
-    names
+    (sublayers, names)
 }
 
 /// Resolver of `openusd` for these layers. It opens no file.

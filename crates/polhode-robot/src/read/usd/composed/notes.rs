@@ -1,12 +1,13 @@
 //! Content of a stage that is not read, and statements that USD ignores.
 
 use openusd::pcp::Error;
-use openusd::sdf::Value as Field;
+use openusd::sdf::{Path as SpecPath, Value as Field};
 use openusd::usd::{Prim, Stage};
 use polhode_source::{ContentError, ContentErrorKind};
 
 use super::layers::{Layers, failed, key};
 use super::places::Places;
+use super::value::of_value;
 use crate::finding::Severity;
 use crate::model::{Note, Span};
 
@@ -59,6 +60,7 @@ fn plain(layers: &Layers, message: &str) -> String {
 }
 
 fn missing(layers: &Layers, layer: &str, name: &str, prim: &str, span: Span) -> Note {
+    let name = name.trim_end_matches('\0');
     let why = match layers.names.get(&key(layer, name)) {
         Some(Err(why)) => format!(": {why}"),
         _ => String::new(),
@@ -104,11 +106,57 @@ pub(super) fn of_variants(stage: &Stage, prim: &Prim, places: &Places) -> Result
     Ok(notes)
 }
 
+/// Reports references and payloads of prims that their layer does not have. `openusd` ignores most of
+/// them without an error.
+pub(super) fn of_targets(
+    stage: &Stage,
+    prim: &Prim,
+    layers: &Layers,
+    places: &Places,
+) -> Result<Vec<Note>, ContentError> {
+    let mut notes = Vec::new();
+    for (id, site) in prim.prim_stack().map_err(failed)? {
+        let mut arcs = Vec::new();
+        let Some(layer) = stage.layer(&id) else { continue };
+        for key in ["references", "payload"] {
+            match layer.data().try_field(&site, key).map_err(failed)?.as_deref() {
+                Some(Field::ReferenceListOp(list)) => {
+                    arcs.extend(list.iter().map(|arc| (key, arc.asset_path.clone(), arc.prim_path.clone())));
+                }
+                Some(Field::PayloadListOp(list)) => {
+                    arcs.extend(list.iter().map(|arc| (key, arc.asset_path.clone(), arc.prim_path.clone())));
+                }
+                Some(Field::Payload(arc)) => arcs.push((key, arc.asset_path.clone(), arc.prim_path.clone())),
+                _ => {}
+            }
+        }
+        for (arc, asset, target) in arcs.into_iter().filter(|(_, _, target)| target.is_root_prim()) {
+            let of = match asset.as_str() {
+                "" => layers.order.clone(),
+                _ => match layers.names.get(&key(&id, &asset)) {
+                    Some(Ok(target)) => layers.with_sublayers(target),
+                    _ => continue, // reported as missing
+                },
+            };
+            let has = |of: &String| stage.layer(of).is_some_and(|layer| layer.data().has_spec(&target));
+            if !of.iter().any(has) {
+                let message =
+                    format!("{arc} = @{asset}@<{target}>: there is no such prim, and USD ignores it");
+                let span = places.metadata(&id, site.as_str(), arc);
+                let note = Note::new("read.include", prim.path().as_str(), span, message);
+                notes.push(Note { severity: Severity::Suspect, ..note });
+            }
+        }
+    }
+    Ok(notes)
+}
+
 /// Reports layers whose units differ from those of the root layer. USD does not convert them.
 pub(super) fn of_units(stage: &Stage, layers: &Layers, places: &Places) -> Vec<Note> {
-    let stated = |id: &str, key: &str| match stage.layer(id) {
-        Some(_) => places.layer_metadata(id, key).and_then(|value| value.numbers.first()?.value),
-        None => None,
+    let stated = |id: &str, key: &str| {
+        let layer = stage.layer(id)?;
+        let value = layer.data().try_field(&SpecPath::abs_root(), key).ok()??;
+        of_value(&value, 0..0).numbers.first()?.value
     };
     let mut notes = Vec::new();
     for id in layers.order.iter().filter(|id| **id != layers.root) {
@@ -116,7 +164,8 @@ pub(super) fn of_units(stage: &Stage, layers: &Layers, places: &Places) -> Vec<N
             let root = stated(&layers.root, key).unwrap_or(default);
             let Some(own) = stated(id, key) else { continue };
             if (own / root - 1.0).abs() > 1e-9 {
-                let span = places.layer_metadata(id, key).map_or(0..0, |value| value.span);
+                let start = places.start(id);
+                let span = places.layer_metadata(id, key).map_or(start..start, |value| value.span);
                 let message = format!(
                     "{key} is {own} here and {root} in the root layer, whose unit counts: USD does not convert numbers"
                 );

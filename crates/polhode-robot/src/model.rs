@@ -3,6 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
+use polhode_source::Failure;
+
 use crate::finding::Severity;
 pub use crate::span::Span;
 pub use polhode_source::xml::{Name, Number};
@@ -58,6 +60,17 @@ impl RobotModel {
     /// Returns the text of the model, then the texts of the included files.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
         [&self.text].into_iter().chain(self.included.iter().map(|source| &source.text)).map(String::as_str)
+    }
+
+    /// Returns the error for a binary model, which cannot be edited; `what` is not done.
+    pub(crate) fn require_text(&self, what: &str) -> Result<(), Failure> {
+        if self.is_editable || !self.text.is_empty() {
+            return Ok(());
+        }
+        let file = self.path.file_name().unwrap_or_default().to_string_lossy();
+        let message = format!("binary USD is not edited, so {what}");
+        let hint = format!("convert it to text: usdcat {file} --out robot.usda");
+        Err(Failure::usage(message, hint).in_file(&self.path))
     }
 
     /// Returns true if a span lies in an included file.

@@ -130,6 +130,7 @@ fn is_usable(model: &RobotModel, link: &Link) -> bool {
 
 /// Refuses a format without shapes that bound solids.
 fn require_writable(model: &RobotModel) -> Result<(), Failure> {
+    model.require_text("no inertials are written")?;
     if model.format != ModelFormat::Osim {
         return Ok(());
     }

@@ -64,11 +64,12 @@ impl RobotModel {
 
     /// Returns the error for a binary model, which cannot be edited; `what` is not done.
     pub(crate) fn require_text(&self, what: &str) -> Result<(), Failure> {
-        if self.is_editable || !self.text.is_empty() {
+        let is_package = self.path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("usdz"));
+        if self.is_editable || !self.text.is_empty() && !is_package {
             return Ok(());
         }
         let file = self.path.file_name().unwrap_or_default().to_string_lossy();
-        let message = format!("binary USD is not edited, so {what}");
+        let message = format!("binary USD and packages are not edited, so {what}");
         let hint = format!("convert it to text: usdcat {file} --out robot.usda");
         Err(Failure::usage(message, hint).in_file(&self.path))
     }

@@ -42,6 +42,7 @@ mod slips;
 mod twins;
 mod urdf;
 mod usd;
+mod usd_colliders;
 mod usd_layers;
 mod usd_stages;
 mod usd_stated;

@@ -156,6 +156,25 @@ fn instances_are_bodies_that_are_not_edited() {
 }
 
 #[test]
+fn joints_of_instances_hold_their_own_bodies() {
+    let body = |name: &str| format!("def Xform \"{name}\" ({SCHEMAS})\n{{\n    {BODY}}}\n");
+    let joint = "def PhysicsRevoluteJoint \"elbow\"\n{\n    rel physics:body0 = </part/upper>\n    rel physics:body1 = </part/lower>\n}\n";
+    let part = format!("def Xform \"part\"\n{{\n{}{}{joint}}}\n", body("upper"), body("lower"));
+    let part = layer("defaultPrim = \"part\"", &part);
+    let arm = |name: &str| {
+        format!("def \"{name}\" (\n    instanceable = true\n    references = @part.usda@\n)\n{{\n}}\n")
+    };
+    let root = layer("", &(arm("left") + &arm("right")));
+    let model = texts(&[("robot.usda", &root), ("part.usda", &part)]).unwrap();
+    let ends: Vec<_> = model
+        .joints
+        .iter()
+        .map(|joint| (joint.parent.as_ref().unwrap().text.as_str(), joint.child.text.as_str()))
+        .collect();
+    assert_eq!(ends, [("/left/upper", "/left/lower"), ("/right/upper", "/right/lower")]);
+}
+
+#[test]
 fn circles_are_refused() {
     let refer =
         |name: &str| layer("defaultPrim = \"a\"", &format!("def \"a\" (references = @{name}@)\n{{\n}}"));

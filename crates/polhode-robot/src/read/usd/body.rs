@@ -38,11 +38,22 @@ pub(super) fn no_shape(prim: &Prim, link: &mut Link, computable: &mut Option<&Pr
     *computable = None;
 }
 
+/// Reports a mass that UsdPhysics ignores, because `PhysicsMassAPI` is not applied.
+pub(super) fn unapplied(prim: &Prim, notes: &mut Vec<Note>) {
+    if !applies(prim, "PhysicsMassAPI") {
+        ignoring(prim, "PhysicsMassAPI is not applied to the prim", notes);
+    }
+}
+
 /// Reports a mass that UsdPhysics ignores, because its prim is not a body or collider.
 pub(super) fn ignored(prim: &Prim, notes: &mut Vec<Note>) {
+    ignoring(prim, "the prim is neither a rigid body nor a collider", notes);
+}
+
+fn ignoring(prim: &Prim, why: &str, notes: &mut Vec<Note>) {
     let named = ATTRIBUTES.iter().find_map(|name| prim.properties.get(*name).map(|value| (name, value)));
     let Some((name, value)) = named else { return };
-    let message = format!("UsdPhysics ignores {name}: the prim is neither a rigid body nor a collider");
+    let message = format!("UsdPhysics ignores {name}: {why}");
     let note = Note::new("read.unknown", &prim.path, value.span.clone(), message);
     notes.push(Note { severity: Severity::Suspect, ..note });
 }

@@ -18,14 +18,14 @@ pub(super) fn of_mass(prim: &Prim, attributes: &[&str], notes: &mut Vec<Note>) -
     Some(format!("{name} is not read"))
 }
 
-/// Reports such an attribute of the size or pose of a shape.
-pub(super) fn of_shape(prim: &Prim, link: &str, notes: &mut Vec<Note>) {
+/// Reports such an attribute of the size or pose of a shape; returns true if there is one.
+pub(super) fn of_shape(prim: &Prim, link: &str, notes: &mut Vec<Note>) -> bool {
     let is_shape =
         |name: &str| matches!(name, "size" | "radius" | "height" | "axis") || name.starts_with("xformOp:");
-    if let Some((name, span)) = first(prim, is_shape) {
-        let message = format!("{name} of {} is not read; the shape is used without it", prim.path);
-        notes.push(Note::new("read.animated", link, span, message));
-    }
+    let Some((name, span)) = first(prim, is_shape) else { return false };
+    let message = format!("{name} of {} is not read; the shape is used without it", prim.path);
+    notes.push(Note::new("read.animated", link, span, message));
+    true
 }
 
 /// Returns the first such attribute, in file order.

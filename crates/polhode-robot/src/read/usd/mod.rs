@@ -140,6 +140,7 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
     for (k, prim) in layer.prims.iter().enumerate() {
         if stage.is_body(k) {
             links.insert(k, model.links.len());
+            body::unapplied(prim, &mut model.notes);
             let (link, is_computable) = body::link(&stage, k, prim, &mut model.notes);
             model.links.push(link);
             colliders.push((is_computable.then_some(prim), Vec::new()));
@@ -151,7 +152,7 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
             unread::of(prim, &mut model.notes);
             continue;
         };
-        changing::of_shape(prim, &link.name.text, &mut model.notes);
+        let changes = changing::of_shape(prim, &link.name.text, &mut model.notes);
         let frame = Pose::new(link.pose.position, link.pose.rotation);
         let is_collider = applies(prim, "PhysicsCollisionAPI") && !prim.is_off("physics:collisionEnabled");
         match shape::geometry(&stage, k, prim, &frame) {
@@ -163,6 +164,9 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
             }
             None if is_collider => body::no_shape(prim, link, computable),
             None => {}
+        }
+        if is_collider && changes {
+            body::no_shape(prim, link, computable);
         }
         if let Some(why) = unread::of(prim, &mut model.notes) {
             *computable = None;

@@ -123,7 +123,7 @@ fn of_prim(
 
 /// Returns the value of a property, and marks for time samples, splines and connections, by name.
 ///
-/// In each layer, time samples are stronger than the default value. A weaker layer does not count.
+/// The strongest layer with a value counts. In it, time samples are stronger than the default.
 fn property(
     stage: &Stage,
     prim: &StagePrim,

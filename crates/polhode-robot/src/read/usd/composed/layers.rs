@@ -52,6 +52,11 @@ pub(super) struct Layers {
 }
 
 impl LayerFile {
+    /// Returns true for a text layer that is not in a package.
+    pub(super) fn is_text_file(&self) -> bool {
+        self.entry.is_none() && self.text().is_some()
+    }
+
     /// Returns the text; `None` for a binary layer.
     pub(super) fn text(&self) -> Option<&str> {
         if is_crate(&self.bytes) { None } else { std::str::from_utf8(&self.bytes).ok() }
@@ -83,8 +88,9 @@ impl Layers {
             let Some(layer) = layers.files.get(&id) else { continue };
             let (sublayers, named) = match layer.text() {
                 Some(text) => names_in(&parsed(layer, text)?),
-                None => binary(layer).map_err(|error| layer.failed(error))?,
-            };
+                None => binary(layer),
+            }
+            .map_err(|error| layer.failed(error))?;
             layers.sublayers.insert(id.clone(), sublayers);
             for name in named {
                 let target = layers.target(&id, &name, roots)?;
@@ -253,22 +259,22 @@ fn binary(layer: &LayerFile) -> Result<(Vec<String>, Vec<String>), ContentError>
     require_sound(&layer.bytes)?;
     let data = usdc::CrateData::open(Cursor::new(Arc::clone(&layer.bytes)), true)
         .map_err(|error| ContentError::unsupported(format!("a binary USD layer: {error:#}")))?;
-    Ok(names_in(&data))
+    names_in(&data)
 }
 
 /// Returns the asset paths of sublayers in a layer, and those of all arcs.
-fn names_in(data: &dyn AbstractData) -> (Vec<String>, Vec<String>) {
+fn names_in(data: &dyn AbstractData) -> Result<(Vec<String>, Vec<String>), ContentError> {
     let (mut sublayers, mut names) = (Vec::new(), Vec::new());
-    let field = |path: &SpecPath, name: &str| data.try_field(path, name).ok().flatten();
-    if let Some(Value::StringVec(layers)) = field(&SpecPath::abs_root(), "subLayers").as_deref() {
+    let field = |path: &SpecPath, name: &str| data.try_field(path, name).map_err(failed);
+    if let Some(Value::StringVec(layers)) = field(&SpecPath::abs_root(), "subLayers")?.as_deref() {
         sublayers.clone_from(layers);
         names.clone_from(layers);
     }
     for path in data.spec_paths().iter().filter(|path| !path.is_property_path()) {
-        if let Some(Value::ReferenceListOp(list)) = field(path, "references").as_deref() {
+        if let Some(Value::ReferenceListOp(list)) = field(path, "references")?.as_deref() {
             names.extend(list.iter().map(|reference| reference.asset_path.clone()));
         }
-        match field(path, "payload").as_deref() {
+        match field(path, "payload")?.as_deref() {
             Some(Value::PayloadListOp(list)) => {
                 names.extend(list.iter().map(|payload| payload.asset_path.clone()));
             }
@@ -279,7 +285,7 @@ fn names_in(data: &dyn AbstractData) -> (Vec<String>, Vec<String>) {
     names.retain(|name| !name.is_empty());
     names.sort();
     names.dedup();
-    (sublayers, names)
+    Ok((sublayers, names))
 }
 
 /// Resolver of `openusd` for these layers. It opens no file.

@@ -18,19 +18,19 @@ use super::layer::Layer;
 use crate::model::{Note, Source};
 use crate::read::ReadOptions;
 use crate::read::uri::Roots;
-use layers::Layers;
+use layers::{LayerFile, Layers};
 use places::Places;
 
 /// Stack of the thread that composes, bytes: `openusd` recurses into nested prims.
 const STACK: usize = 1 << 27;
 
-/// Composed stage.
+/// Stage composed of its layers.
 pub(super) struct Composed {
     pub(super) layer: Layer,
     pub(super) notes: Vec<Note>,
     /// Root layer and other layers; the text of a binary layer is empty.
     pub(super) sources: Vec<Source>,
-    /// True if the root layer is text.
+    /// True if the root layer is a text file, and not in a package.
     pub(super) is_text: bool,
 }
 
@@ -77,6 +77,6 @@ fn composed(path: &Path, layers: &Arc<Layers>) -> Result<Composed, FormatError> 
     }
     let places = Places::of(layers, starts)?;
     let (layer, notes) = flat::flattened(layers, &places).map_err(|error| failed(path, error))?;
-    let is_text = layers.files.get(&layers.root).is_some_and(|root| root.text().is_some());
+    let is_text = layers.files.get(&layers.root).is_some_and(LayerFile::is_text_file);
     Ok(Composed { layer, notes, sources, is_text })
 }

@@ -141,7 +141,7 @@ pub(super) fn of_targets(
             let has = |of: &String| stage.layer(of).is_some_and(|layer| layer.data().has_spec(&target));
             if !of.iter().any(has) {
                 let message =
-                    format!("{arc} = @{asset}@<{target}>: there is no such prim, and USD ignores it");
+                    format!("{arc} = @{asset}@<{target}>: its layer has no such prim, so USD ignores it");
                 let span = places.metadata(&id, site.as_str(), arc);
                 let note = Note::new("read.include", prim.path().as_str(), span, message);
                 notes.push(Note { severity: Severity::Suspect, ..note });

@@ -64,6 +64,9 @@ fn a_computed_mass_is_noted() {
         "{}",
         note.message
     );
+    let model = robot("", &cube("", ""));
+    let note = model.notes.iter().find(|note| note.code == "inertia.computed").unwrap();
+    assert!(note.message.contains("with the default density 1000 kg/m³: 0.064 kg"), "{}", note.message);
     // A stated centre moves the tensor: I' = I + m (d² 1 − d dᵀ).
     let own = "    float physics:mass = 350\n    point3f physics:centerOfMass = (3, -5, 5)";
     let model = robot(own, &cube("", ""));
@@ -88,6 +91,8 @@ fn what_cannot_be_computed_has_a_reason() {
         ("", cube("    rel material:binding = </iron>", ""), "its material /iron is not read"),
         ("", cube("    bool physics:collisionEnabled = 0", ""), "it is missing"),
         ("    float physics:density = nan", cube("", ""), "physics:density"),
+        ("    float physics:density = -2", cube("", ""), "physics:density of /arm is negative"),
+        ("    point3f physics:centerOfMass = (0, nan, 0)", cube("", ""), "physics:centerOfMass"),
         ("    float physics:mass = 2", cube("    float3 xformOp:scale = (1, nan, 2)", ""), ""),
     ] {
         let model = robot(own, &inner);

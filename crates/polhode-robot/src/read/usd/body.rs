@@ -29,15 +29,6 @@ pub(super) fn has_mass(prim: &Prim) -> bool {
         || changing::of_mass(prim, &ATTRIBUTES, &mut Vec::new()).is_some()
 }
 
-/// Notes a collider without a shape that can be measured: nothing is computed from colliders.
-pub(super) fn no_shape(prim: &Prim, link: &mut Link, computable: &mut Option<&Prim>) {
-    if link.inertial.is_none() {
-        let why = format!("the shape of {} is not read", prim.path);
-        link.computed = Some(Err(why));
-    }
-    *computable = None;
-}
-
 /// Reports a mass that UsdPhysics ignores, because `PhysicsMassAPI` is not applied.
 pub(super) fn unapplied(prim: &Prim, notes: &mut Vec<Note>) {
     if !applies(prim, "PhysicsMassAPI") {

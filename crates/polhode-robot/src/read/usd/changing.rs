@@ -34,6 +34,6 @@ fn first(prim: &Prim, matters: impl Fn(&str) -> bool) -> Option<(&str, Span)> {
         name.rsplit_once('.').is_some_and(|(own, suffix)| SUFFIXES.contains(&suffix) && matters(own))
     };
     let all = prim.properties.iter().filter(|(name, _)| changes(name));
-    let first = all.min_by_key(|(_, value)| value.span.start)?;
+    let first = all.min_by_key(|(name, value)| (value.span.start, name.as_str()))?;
     Some((first.0.as_str(), first.1.span.clone()))
 }

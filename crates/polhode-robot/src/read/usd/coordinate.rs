@@ -23,7 +23,7 @@ pub(super) fn of(stage: &Stage<'_>, prim: &Prim, kind: JointKind) -> Coordinate 
         |side: &str| number(prim.properties.get(&format!("physics:{side}Limit"))?).map(|limit| unit * limit);
     let mut mimics: Vec<Follows> =
         prim.properties.iter().filter_map(|(name, value)| follows(stage, prim, unit, name, value)).collect();
-    mimics.sort_by_key(|mimic| mimic.span.start);
+    mimics.sort_by_key(|mimic| (mimic.span.start, mimic.leader.as_ref().map(|leader| leader.text.clone())));
     let several = mimics.len() > 1;
     let follows = mimics.into_iter().next().map(|mimic| match several {
         true => Follows { coefficients: Err("it follows several joints".to_owned()), ..mimic },

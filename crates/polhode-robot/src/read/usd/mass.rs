@@ -36,6 +36,9 @@ impl Stated {
         let wrong = |name: &str| format!("{name} of {} is not a finite number", prim.path);
         let units = stage.units;
         let mass = given(MASS).map(|mass| numbers::<1>(mass).ok_or_else(|| wrong(MASS))).transpose()?;
+        if mass.is_some_and(|[mass]: [f64; 1]| mass < 0.0) {
+            return Err(format!("{MASS} of {} is negative", prim.path));
+        }
         let center = prim.properties.get(CENTER).filter(|center| !body::is_left_out(center));
         let center = center.map(|center| numbers::<3>(center).ok_or_else(|| wrong(CENTER))).transpose()?;
         let moments = given(MOMENTS).map(|m| numbers::<3>(m).ok_or_else(|| wrong(MOMENTS))).transpose()?;
@@ -47,48 +50,59 @@ impl Stated {
             rotated(&[own[0], own[1], own[2], 0.0, 0.0, 0.0], &Pose::new([0.0; 3], axes).matrix())
         });
         Ok(Self {
-            mass: mass.map(|[mass]| units.kilograms * mass).filter(|mass| *mass > 0.0),
+            mass: mass.map(|[mass]| units.kilograms * mass),
             center: center.map(|center| center.map(|c: f64| units.metres * c)),
             tensor,
         })
     }
 }
 
-/// Computes what the body of a link does not state. `colliders` are the indices of prims, and of
-/// their geometries in the link.
-pub(super) fn compute(
-    stage: &Stage<'_>,
-    body: &Prim,
-    link: &mut Link,
-    colliders: &[(usize, usize)],
-    notes: &mut Vec<Note>,
-) {
-    if colliders.is_empty() {
-        return;
-    }
-    match computed(stage, body, link, colliders) {
-        Ok(None) => {}
-        Ok(Some(computed)) => {
-            let count = match colliders.len() {
-                1 => "1 collider".to_owned(),
-                count => format!("{count} colliders"),
-            };
-            let message = format!("computed from {count}: {}", in_words(&computed));
-            notes.push(Note::new("inertia.computed", &link.name.text, link.span.clone(), message));
-            link.computed = Some(Ok(computed));
+/// Colliders of a body.
+pub(super) struct Colliders<'l> {
+    /// Body; `None` if nothing is computed for it.
+    pub(super) body: Option<&'l Prim>,
+    /// Index of the prim of each collider, and of its geometry in the link.
+    pub(super) shapes: Vec<(usize, usize)>,
+}
+
+impl Colliders<'_> {
+    /// Notes a collider whose shape is not read: nothing is computed.
+    pub(super) fn without_shape(&mut self, prim: &Prim, link: &mut Link) {
+        if link.inertial.is_none() {
+            link.computed = Some(Err(format!("the shape of {} is not read", prim.path)));
         }
-        // The missing tensor is reported otherwise.
-        Err(why) if link.computed.is_some() => link.computed = Some(Err(why)),
-        Err(_) => {}
+        self.body = None;
+    }
+
+    /// Computes what the body of a link does not state.
+    pub(super) fn compute(&self, stage: &Stage<'_>, link: &mut Link, notes: &mut Vec<Note>) {
+        let Some(body) = self.body.filter(|_| !self.shapes.is_empty()) else { return };
+        match computed(stage, body, link, &self.shapes) {
+            Ok(None) => {}
+            Ok(Some((computed, is_assumed))) => {
+                let assumed = if is_assumed { " with the default density 1000 kg/m³" } else { "" };
+                let count = match self.shapes.len() {
+                    1 => "1 collider".to_owned(),
+                    count => format!("{count} colliders"),
+                };
+                let message = format!("computed from {count}{assumed}: {}", in_words(&computed));
+                notes.push(Note::new("inertia.computed", &link.name.text, link.span.clone(), message));
+                link.computed = Some(Ok(computed));
+            }
+            Err(why) if link.computed.is_some() => link.computed = Some(Err(why)),
+            // The missing tensor is reported otherwise.
+            Err(_) => {}
+        }
     }
 }
 
+/// Returns the mass properties, and true if the default density counts; `None` if all are stated.
 fn computed(
     stage: &Stage<'_>,
     body: &Prim,
     link: &Link,
     colliders: &[(usize, usize)],
-) -> Result<Option<ComputedMass>, String> {
+) -> Result<Option<(ComputedMass, bool)>, String> {
     let stated = Stated::of(stage, body)?;
     if let Stated { mass: Some(_), center: Some(_), tensor: Some(_) } = stated {
         return Ok(None);
@@ -102,10 +116,12 @@ fn computed(
         return Err("its prim is scaled, and physics engines apply the scale differently".to_owned());
     }
     let density = density(stage, body)?;
-    let mut parts = Vec::new();
+    let (mut parts, mut is_assumed) = (Vec::new(), false);
     for &(prim, geometry) in colliders {
         if let (Some(prim), Some(geometry)) = (stage.layer.prims.get(prim), link.geometry.get(geometry)) {
-            parts.push(collider(stage, prim, geometry, density)?);
+            let (part, has_default) = collider(stage, prim, geometry, density)?;
+            is_assumed |= has_default && stated.mass.is_none();
+            parts.push(part);
         }
     }
     let all = joined(&parts);
@@ -115,26 +131,28 @@ fn computed(
         let scaled = scaled(&all.tensor, mass / all.mass);
         shifted(&scaled, mass, [0, 1, 2].map(|k| center[k] - all.center[k]))
     });
-    Ok(Some(ComputedMass { mass, center, tensor }))
+    Ok(Some((ComputedMass { mass, center, tensor }, is_assumed)))
 }
 
-/// Returns the mass properties of a collider in the frame of its body.
+/// Returns the mass properties of a collider in the frame of its body, and true if the default
+/// density counts.
 fn collider(
     stage: &Stage<'_>,
     prim: &Prim,
     geometry: &Geometry,
     of_body: Option<f64>,
-) -> Result<ComputedMass, String> {
+) -> Result<(ComputedMass, bool), String> {
     if let Some(unreadable) = geometry.pose.unreadable.first() {
         return Err(format!("{:?} in the pose of {} is not a number", unreadable.text, prim.path));
     }
     let stated = Stated::of(stage, prim)?;
     let volume = Shapes::with_threads(1).geometry(geometry).map_err(|why| format!("{}: {why}", prim.path))?;
     let density = match density(stage, prim)?.or(of_body) {
-        Some(density) => density,
-        None => material(stage, prim)?.unwrap_or(WATER),
+        Some(density) => Some(density),
+        None => material(stage, prim)?,
     };
-    let mass = stated.mass.unwrap_or(density * volume.volume);
+    let is_assumed = stated.mass.is_none() && density.is_none();
+    let mass = stated.mass.unwrap_or(density.unwrap_or(WATER) * volume.volume);
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = volume.tensor_per_density;
     let mut own = ComputedMass {
         mass,
@@ -157,7 +175,7 @@ fn collider(
             own.tensor = rotated(&tensor, &pose.matrix());
         }
     }
-    Ok(own)
+    Ok((own, is_assumed))
 }
 
 /// Returns the density that a prim states, kg/m³.
@@ -166,7 +184,10 @@ fn density(stage: &Stage<'_>, prim: &Prim) -> Result<Option<f64>, String> {
     let [density] =
         numbers::<1>(value).ok_or_else(|| format!("{DENSITY} of {} is not a number", prim.path))?;
     let unit = stage.units.kilograms / stage.units.metres.powi(3);
-    Ok(Some(unit * density).filter(|density| *density > 0.0))
+    if density < 0.0 {
+        return Err(format!("{DENSITY} of {} is negative", prim.path));
+    }
+    Ok(Some(unit * density))
 }
 
 /// Returns the density of the physics material that is bound to a prim or to the nearest ancestor.
@@ -175,7 +196,7 @@ fn material(stage: &Stage<'_>, prim: &Prim) -> Result<Option<f64>, String> {
         let mut around = stage.numbers.get(prim.path.as_str()).copied();
         while let Some(prim) = around.and_then(|k| stage.layer.prims.get(k)) {
             if let Some(name) =
-                prim.properties.keys().find(|name| name.starts_with("material:binding:collection"))
+                prim.properties.keys().filter(|name| name.starts_with("material:binding:collection")).min()
             {
                 return Err(format!("{name} of {} is not read", prim.path));
             }

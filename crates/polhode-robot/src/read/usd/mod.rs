@@ -41,6 +41,7 @@ use super::ReadOptions;
 use crate::finding::Severity;
 use crate::model::{ModelFormat, Note, Pose, RobotModel};
 use layer::{Layer, Prim, require_short};
+use mass::Colliders;
 use unit::Units;
 use xform::Affine;
 
@@ -135,20 +136,19 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
     twice(layer, &mut model.notes);
     let stage = Stage::of(layer, units);
     let mut links = HashMap::new();
-    // Colliders of each link, and its prim; `None` if it cannot be computed.
-    let mut colliders: Vec<(Option<&Prim>, Vec<(usize, usize)>)> = Vec::new();
+    let mut colliders: Vec<Colliders<'_>> = Vec::new();
     for (k, prim) in layer.prims.iter().enumerate() {
         if stage.is_body(k) {
             links.insert(k, model.links.len());
             body::unapplied(prim, &mut model.notes);
             let (link, is_computable) = body::link(&stage, k, prim, &mut model.notes);
             model.links.push(link);
-            colliders.push((is_computable.then_some(prim), Vec::new()));
+            colliders.push(Colliders { body: is_computable.then_some(prim), shapes: Vec::new() });
         }
         let body = stage.body_around(k).filter(|_| !prim.is_abstract);
         let index = body.and_then(|body| links.get(&body)).copied();
         let link = index.and_then(|link: usize| Some((model.links.get_mut(link)?, colliders.get_mut(link)?)));
-        let Some((link, (computable, colliders))) = link else {
+        let Some((link, own)) = link else {
             unread::of(prim, &mut model.notes);
             continue;
         };
@@ -158,18 +158,18 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
         match shape::geometry(&stage, k, prim, &frame) {
             Some(geometry) => {
                 if is_collider {
-                    colliders.push((k, link.geometry.len()));
+                    own.shapes.push((k, link.geometry.len()));
                 }
                 link.geometry.push(geometry);
             }
-            None if is_collider => body::no_shape(prim, link, computable),
+            None if is_collider => own.without_shape(prim, link),
             None => {}
         }
         if is_collider && changes {
-            body::no_shape(prim, link, computable);
+            own.without_shape(prim, link);
         }
         if let Some(why) = unread::of(prim, &mut model.notes) {
-            *computable = None;
+            own.body = None;
             if is_collider && link.inertial.is_none() {
                 link.computed = Some(Err(why));
             }
@@ -177,16 +177,14 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
         if !stage.is_body(k) && body::has_mass(prim) {
             let changes = changing::of_mass(prim, &body::ATTRIBUTES, &mut model.notes);
             if changes.is_some() {
-                *computable = None;
+                own.body = None;
             } else if !is_collider {
                 body::ignored(prim, &mut model.notes);
             }
         }
     }
-    for (link, (body, colliders)) in model.links.iter_mut().zip(&colliders) {
-        if let Some(body) = body {
-            mass::compute(&stage, body, link, colliders, &mut model.notes);
-        }
+    for (link, own) in model.links.iter_mut().zip(&colliders) {
+        own.compute(&stage, link, &mut model.notes);
     }
     let mut path_bytes = 0;
     for prim in layer.prims.iter().filter(|prim| !prim.is_abstract) {

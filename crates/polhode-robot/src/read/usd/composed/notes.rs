@@ -2,6 +2,7 @@
 
 use openusd::pcp::Error;
 use openusd::sdf::{Path as SpecPath, Value as Field};
+use openusd::tf::Token;
 use openusd::usd::{Prim, Stage};
 use polhode_source::{ContentError, ContentErrorKind};
 
@@ -79,7 +80,7 @@ pub(super) fn of_variants(stage: &Stage, prim: &Prim, places: &Places) -> Result
             continue;
         };
         let Field::TokenVec(sets) = &*sets else { continue };
-        for set in sets.iter().map(|set| set.as_str()).filter(|set| !is_read(set)) {
+        for set in sets.iter().map(Token::as_str).filter(|set| !is_read(set)) {
             let selected = sites.iter().find_map(|(id, site)| {
                 let layer = stage.layer(id)?;
                 match &*layer.data().try_field(site, "variantSelection").ok()?? {

@@ -1,5 +1,6 @@
 //! Values of `openusd` as flat lists of numbers and words.
 
+use openusd::gf::f16;
 use openusd::sdf;
 
 use crate::model::{Number, Span};
@@ -23,13 +24,13 @@ pub(super) fn of_value(value: &sdf::Value, span: Span) -> Value {
         V::Double(x) => double(&[*x]),
         V::Vec2f(v) => single(&[v.x, v.y]),
         V::Vec2d(v) => double(&[v.x, v.y]),
-        V::Vec3h(v) => single(&[v.x, v.y, v.z].map(|c| c.to_f32())),
+        V::Vec3h(v) => single(&[v.x, v.y, v.z].map(f16::to_f32)),
         V::Vec3f(v) => single(&[v.x, v.y, v.z]),
         V::Vec3d(v) => double(&[v.x, v.y, v.z]),
         V::Vec3i(v) => [v.x, v.y, v.z].iter().map(ToString::to_string).collect(),
         V::Vec4f(v) => single(&[v.x, v.y, v.z, v.w]),
         V::Vec4d(v) => double(&[v.x, v.y, v.z, v.w]),
-        V::Quath(q) => single(&[q.w, q.x, q.y, q.z].map(|c| c.to_f32())),
+        V::Quath(q) => single(&[q.w, q.x, q.y, q.z].map(f16::to_f32)),
         V::Quatf(q) => single(&[q.w, q.x, q.y, q.z]),
         V::Quatd(q) => double(&[q.w, q.x, q.y, q.z]),
         V::Matrix3d(m) => double(&m.0),

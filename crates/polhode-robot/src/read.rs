@@ -25,6 +25,7 @@ mod sdf;
 mod unread;
 mod urdf;
 mod uri;
+#[cfg(feature = "usd")]
 pub(crate) mod usd;
 pub(crate) mod xml;
 
@@ -85,8 +86,8 @@ impl Default for ReadOptions<'_> {
 /// format, or has a document type.
 pub fn read_model(path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
     let bytes = polhode_source::read_file(options.files, path, |bytes| Ok(bytes.to_vec()))?;
-    if cfg!(feature = "languages") && usd::is_binary(&bytes) {
-        return finished(usd::read(bytes, path, options)?);
+    if is_binary_usd(&bytes) {
+        return read_usd(bytes, path, options);
     }
     match String::from_utf8(bytes) {
         Ok(text) => read(text, path, options),
@@ -97,10 +98,23 @@ pub fn read_model(path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, 
     }
 }
 
-/// Moves frames that are not finite.
-fn finished(mut model: RobotModel) -> Result<RobotModel, FormatError> {
+/// Returns true for the bytes of a binary USD layer or of a package.
+fn is_binary_usd(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PXR-USDC") || bytes.starts_with(b"PK")
+}
+
+#[cfg(feature = "usd")]
+fn read_usd(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
+    let mut model = usd::read(bytes, path, options)?;
     keep_finite(&mut model);
     Ok(model)
+}
+
+#[cfg(not(feature = "usd"))]
+fn read_usd(bytes: Vec<u8>, path: &Path, _options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
+    let error = ContentErrorKind::unsupported("USD in this build").of_whole();
+    let error = error.hint("check it with the command: polhode check FILE");
+    Err(FormatError::of_content(path, &bytes, error))
 }
 
 /// Reads a model from a text. `path` is for messages; its folder resolves the files that the model
@@ -150,12 +164,12 @@ fn language(root: &str) -> Option<ModelFormat> {
 }
 
 fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
+    if cfg!(feature = "languages") && format_of(&text) == Some(ModelFormat::Usd) {
+        return read_usd(text.into_bytes(), path, options);
+    }
     if format_of(&text).is_some_and(is_left_out) {
         let error = ContentErrorKind::unsupported("in this build, which reads URDF only").of_whole();
         return Err(FormatError::of_content(path, text.as_bytes(), error));
-    }
-    if cfg!(feature = "languages") && format_of(&text) == Some(ModelFormat::Usd) {
-        return finished(usd::read(text.into_bytes(), path, options)?);
     }
     let roots = uri::Roots::of(path, options);
     let naming = match format_of(&text) {

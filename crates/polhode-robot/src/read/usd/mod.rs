@@ -6,13 +6,12 @@
 //!
 //! A text layer without arcs is read by itself, with its wrong numbers. A layer with arcs
 //! (`subLayers`, `references`, `payload`, `inherits`, `specializes`, variant sets), a binary layer
-//! and a package are composed with the feature `usd`. Without it, arcs are reported as notes.
+//! and a package are composed.
 //!
 //! Source: openusd.org, "Rigid Body Physics in USD"; the schemas UsdPhysics and UsdGeom.
 
 mod body;
 mod changing;
-#[cfg(feature = "usd")]
 mod composed;
 mod coordinate;
 mod joint;
@@ -29,12 +28,9 @@ mod value;
 mod xform;
 
 use std::collections::HashMap;
-#[cfg(feature = "usd")]
 use std::collections::HashSet;
 use std::path::Path;
 
-#[cfg(not(feature = "usd"))]
-use polhode_source::ContentErrorKind;
 use polhode_source::{ContentError, FormatError};
 
 use super::ReadOptions;
@@ -49,11 +45,6 @@ pub(crate) use mass_site::{MassSite, mass_sites};
 
 /// Metadata keys that refer to other layers or prims.
 const ELSEWHERE: [&str; 5] = ["references", "payload", "inherits", "specializes", "subLayers"];
-
-/// Returns true for the bytes of a binary layer or of a package.
-pub(super) fn is_binary(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"PXR-USDC") || bytes.starts_with(b"PK")
-}
 
 /// Reads a stage by its root layer or package.
 ///
@@ -78,17 +69,16 @@ pub(super) fn read(
     Ok(model)
 }
 
-/// Returns a text layer that is read by itself: one without arcs, or any without the feature `usd`.
+/// Returns a text layer that is read by itself: one without arcs.
 fn single(bytes: &[u8], path: &Path) -> Result<Option<Layer>, FormatError> {
     let Ok(text) = str::from_utf8(bytes) else { return Ok(None) };
-    if is_binary(bytes) {
+    if crate::read::is_binary_usd(bytes) {
         return Ok(None);
     }
     let layer = Layer::of(text).map_err(|error| FormatError::of_content(path, bytes, error))?;
-    Ok((!cfg!(feature = "usd") || !layer.has_arcs()).then_some(layer))
+    Ok((!layer.has_arcs()).then_some(layer))
 }
 
-#[cfg(feature = "usd")]
 fn composed(
     bytes: Vec<u8>,
     path: &Path,
@@ -104,23 +94,7 @@ fn composed(
     Ok(layer)
 }
 
-#[cfg(not(feature = "usd"))]
-fn composed(
-    bytes: Vec<u8>,
-    path: &Path,
-    _options: &ReadOptions<'_>,
-    _model: &mut RobotModel,
-) -> Result<Layer, FormatError> {
-    let error = ContentErrorKind::unsupported("binary USD in this build, which reads USD text").of_whole();
-    let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let error = error.hint(format!(
-        "check it with the command polhode, or convert it to text: usdcat --flatten {file} --out robot.usda"
-    ));
-    Err(FormatError::of_content(path, &bytes[..0], error))
-}
-
 /// Returns true if two prims have their values at one place: both are instances of one prim.
-#[cfg(feature = "usd")]
 fn has_shared(layer: &Layer) -> bool {
     let mut places = HashSet::new();
     let masses = layer.prims.iter().filter_map(|prim| prim.properties.get(body::MASS));

@@ -8,7 +8,7 @@
 
 use std::io::Cursor;
 
-use openusd::usdc::{CrateFile, MAGIC};
+use openusd::usdc::{CrateFile as Crate, MAGIC};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Versions whose arrays have 64-bit lengths and that `openusd` reads, 0.7 to 0.12.
@@ -27,7 +27,7 @@ const MOST_DEPTH: usize = 50;
 pub(super) fn require_sound(bytes: &[u8]) -> Result<(), ContentError> {
     let mut claims = Claims { bytes, steps: 0, tokens: 0, strings: 0, paths: 0 };
     claims.sections()?;
-    let file = CrateFile::open(Cursor::new(bytes))
+    let file = Crate::open(Cursor::new(bytes))
         .map_err(|error| damaged(0, format!("a binary USD layer: {error:#}")))?;
     (claims.tokens, claims.strings, claims.paths) =
         (file.tokens.len() as u64, file.strings.len() as u64, file.paths.len() as u64);

@@ -248,11 +248,13 @@ fn damaged_files_are_refused() {
             assert!(read(&[(name, &whole[..length])]).is_err(), "{name} {length}");
         }
     }
-    // Sizes of 2⁶⁰, at each multiple of eight bytes: an error or a smaller stage.
-    for at in (16..layer.len() - 8).step_by(8) {
-        let mut wrong = layer.clone();
-        wrong[at..at + 8].copy_from_slice(&(1_u64 << 60).to_le_bytes());
-        let _ = read(&[("r.usdc", &wrong)]);
+    // Sizes of 2⁶⁰ and 2³⁰, at each multiple of eight bytes: an error or another stage.
+    for size in [1_u64 << 60, 1 << 30] {
+        for at in (16..layer.len() - 8).step_by(8) {
+            let mut wrong = layer.clone();
+            wrong[at..at + 8].copy_from_slice(&size.to_le_bytes());
+            let _ = read(&[("r.usdc", &wrong)]);
+        }
     }
     let error = read(&[("r.usdc", b"PXR-USDC\0\x01\0\0\0\0\0\0\0\0")]).unwrap_err();
     assert!(error.to_string().contains("version 0.1.0"), "{error}");

@@ -6,7 +6,9 @@
 Each stage has its own folder. `truth.json` lists the root layers, and for each body its mass in kg,
 its centre in m and its tensor (xx, yy, zz, xy, xz, yz; about the centre, axes of the body) in kg·m².
 The reference is `UsdPhysics.RigidBodyAPI.ComputeMassProperties`, in single precision. With the count
-`kinds`, the folder gets one stage for each kind of composition, as in `tests/usd/kinds`.
+`kinds`, the folder gets one stage for each kind of composition: `tests/usd/kinds` is that of
+`python stages.py kinds kinds 3` with usd-core 26.11. `POLHODE_USD_STAGES=FOLDER cargo test -p
+polhode-robot --test all composed_stages` compares another folder.
 """
 
 import json
@@ -209,6 +211,10 @@ class Robot:
         self.reference(root)
 
 
+def value(prim, name):
+    return prim.GetAttribute(name).Get()
+
+
 def information(prim, body, cache):
     """Returns volume, moments at density 1 and place of a shape for OpenUSD."""
     relative = cache.GetLocalToWorldTransform(prim) * cache.GetLocalToWorldTransform(body).GetInverse()
@@ -217,18 +223,17 @@ def information(prim, body, cache):
     info = UsdPhysics.RigidBodyAPI.MassInformation()
     center = [0.0, 0.0, 0.0]
     kind = prim.GetTypeName()
-    get = lambda name: prim.GetAttribute(name).Get()
     if kind == "Cube":
-        a, b, c = [get("size") * s for s in (x, y, z)]
+        a, b, c = [value(prim, "size") * s for s in (x, y, z)]
         volume = a * b * c
         moments = [volume * (b * b + c * c) / 12, volume * (a * a + c * c) / 12, volume * (a * a + b * b) / 12]
     elif kind == "Sphere":
-        a, b, c = [get("radius") * s for s in (x, y, z)]
+        a, b, c = [value(prim, "radius") * s for s in (x, y, z)]
         volume = 4 / 3 * math.pi * a * b * c
         moments = [volume * (b * b + c * c) / 5, volume * (a * a + c * c) / 5, volume * (a * a + b * b) / 5]
     else:
-        r, h = get("radius") * x, get("height") * x
-        k = "XYZ".index(get("axis"))
+        r, h = value(prim, "radius") * x, value(prim, "height") * x
+        k = "XYZ".index(value(prim, "axis"))
         disc = math.pi * r * r * h
         ball = 4 / 3 * math.pi * r**3
         if kind == "Cone":

@@ -17,8 +17,11 @@ const VERSIONS: std::ops::RangeInclusive<u8> = 7..=12;
 /// Largest ratio of unpacked to packed bytes of LZ4.
 const LZ4: u64 = 255;
 
-/// Largest number of elements of a compressed array, unless the file has more bytes.
+/// Largest number of compressed elements, unless the file has more bytes.
 const MOST_ELEMENTS: u64 = 1 << 24;
+
+/// Largest size of an unpacked block, bytes.
+const MOST_UNPACKED: u64 = 1 << 28;
 
 /// Maximum nesting depth of dictionaries and time samples.
 const MOST_DEPTH: usize = 50;
@@ -101,7 +104,7 @@ impl Claims<'_> {
     /// Returns the end of a compressed block of at most `unpacked` bytes.
     fn block(&self, at: u64, unpacked: u64) -> Result<u64, ContentError> {
         let packed = self.counted(at, 1)?;
-        self.require(unpacked, LZ4 * packed, at)?;
+        self.require(unpacked, (LZ4 * packed).min(MOST_UNPACKED), at)?;
         if packed > 0 && self.byte(at + 8)? != 0 {
             return Err(damaged(at, "a block of more than 2 GB".to_owned()));
         }
@@ -110,6 +113,7 @@ impl Claims<'_> {
 
     /// Returns the end of a block of compressed integers; each has at least two bits.
     fn integers(&self, at: u64, count: u64) -> Result<u64, ContentError> {
+        self.require(count, self.length().max(MOST_ELEMENTS), at)?;
         self.block(at, count / 4)
     }
 
@@ -252,7 +256,6 @@ impl Claims<'_> {
         if !(is_packed && count >= 4 && (is_whole || matches!(kind, 7..=9 | 56))) {
             return self.require(count.saturating_mul(size), self.rest(at + 8), at);
         }
-        self.require(count, self.length().max(MOST_ELEMENTS), at)?;
         if is_whole {
             return self.integers(at + 8, count).map(drop);
         }

@@ -144,6 +144,16 @@ fn inactive_and_undefined_prims_do_not_exist() {
 }
 
 #[test]
+fn value_clips_are_reported() {
+    let clips = "clips = {\n        dictionary default = {\n            asset[] assetPaths = [@clip.usda@]\n            \
+        string primPath = \"/a\"\n            double2[] active = [(0, 0)]\n        }\n    }";
+    let text = layer("", &format!("def Xform \"a\" (\n    {clips}\n    {SCHEMAS}\n)\n{{\n    {BODY}}}"));
+    let model = texts(&[("robot.usda", &text)]).unwrap();
+    let note = noted(&model, "read.animated");
+    assert_eq!((note.subject.as_str(), masses(&model)), ("/a", vec![("/a", 2.5)]));
+}
+
+#[test]
 fn instances_are_bodies_that_are_not_edited() {
     let wrong = part().replace("(0.5, 0.7, 0.9)", "(0.5, 0.7, 9)");
     let prims = "def \"left\" (\n    instanceable = true\n    references = @part.usda@\n)\n{\n}\n\

@@ -67,6 +67,7 @@ pub(super) fn flattened(layers: &Arc<Layers>, places: &Places) -> Result<(Layer,
             }
             let prim = stage.prim(&path);
             notes.extend(notes::of_variants(&stage, &prim, places)?);
+            notes.extend(notes::of_clips(&prim, places)?);
             notes.extend(notes::of_targets(&stage, &prim, layers, places)?);
             layer.prims.push(of_prim(&stage, &prim, parent, places)?);
             parent = Some(own);

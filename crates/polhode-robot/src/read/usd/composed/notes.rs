@@ -107,6 +107,17 @@ pub(super) fn of_variants(stage: &Stage, prim: &Prim, places: &Places) -> Result
     Ok(notes)
 }
 
+/// Reports value clips, which give attributes other values over time.
+pub(super) fn of_clips(prim: &Prim, places: &Places) -> Result<Option<Note>, ContentError> {
+    if !prim.has_clips().map_err(failed)? {
+        return Ok(None);
+    }
+    let sites = prim.prim_stack().map_err(failed)?;
+    let span = sites.first().map_or(0..0, |(id, site)| places.metadata(id, site.as_str(), "clips"));
+    let message = "value clips are not read; values are those without them".to_owned();
+    Ok(Some(Note::new("read.animated", prim.path().as_str(), span, message)))
+}
+
 /// Reports references and payloads of prims that their layer does not have. `openusd` ignores most of
 /// them without an error.
 pub(super) fn of_targets(

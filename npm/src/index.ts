@@ -106,7 +106,7 @@ export async function inertia(request: InertiaRequest): Promise<Body[]> {
   return (await askFull("inertia", asked, files)).value as Body[];
 }
 
-/** Checks the inertias of robot models: URDF, SDF, MJCF, USD and OpenSim. */
+/** Checks the inertias of robot models: URDF, SDF, MJCF and OpenSim. */
 export async function check(request: CheckRequest): Promise<Checked> {
   const { files, inputs, ...rest } = of(request);
   const names = Object.keys(files ?? {});

@@ -10,7 +10,7 @@ use crate::process::{cargo, output};
 const MOST: [(&str, &[&str], usize); 3] = [
     ("polhode", &[], 10),
     ("polhode-cli", &["--no-default-features"], 82), // shapes and scenarios
-    ("polhode-cli", &[], 101),                       // with nalgebra for `polhode identify`
+    ("polhode-cli", &[], 123), // with nalgebra for `polhode identify`, and openusd with 22 for USD
 ];
 
 /// Checks the number of crates, and their licences on every platform, including tests and build

@@ -25,7 +25,7 @@ use crate::xacro::{XacroFlags, require_not_expanded};
 ///
 /// Impossible: no body has these numbers. Suspect: physically possible, but in conflict with the
 /// link's own geometry. Each finding states its place, the rule and the fix, if exactly one fix is
-/// consistent with all evidence. Folders are searched for .urdf, .sdf, .world, .usda and .osim
+/// consistent with all evidence. Folders are searched for .urdf, .sdf, .world, .usd* and .osim
 /// files, and for .xml files that are models. To allow findings, use polhode.toml, a baseline, or a
 /// comment in the model: <!-- polhode: allow RULE: REASON -->.
 ///

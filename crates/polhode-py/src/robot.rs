@@ -131,13 +131,16 @@ pub(crate) fn robot_links(py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>
     Ok(model.links.iter().map(|link| link.name.text.clone()).collect())
 }
 
-/// Returns true if the root element or first word of the file is that of a robot model.
+/// Returns true if the root element or first word of the file is that of a robot model, or if it is
+/// binary USD.
 #[pyfunction]
 pub(crate) fn is_robot(py: Python<'_>, path: PathBuf) -> PyResult<bool> {
     let is_robot = |bytes: &[u8]| {
         let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
         let is_text = start.first() == Some(&b'<') || start.starts_with(b"#usda");
-        Ok(is_text && format_of(&String::from_utf8_lossy(bytes)).is_some())
+        let is_package = bytes.starts_with(b"PK") && path.extension().is_some_and(|ending| ending == "usdz");
+        let is_model = || format_of(&String::from_utf8_lossy(bytes)).is_some();
+        Ok(is_package || bytes.starts_with(b"PXR-USDC") || is_text && is_model())
     };
     py.detach(|| read_file(&Disk, &path, is_robot)).map_err(Raise::raise)
 }

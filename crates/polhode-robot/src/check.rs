@@ -129,8 +129,8 @@ pub fn check_for(model: &RobotModel, geometry: &[LinkGeometry], programs: &[Prog
     let mut findings = alike::grouped(model, findings);
     for finding in &mut findings {
         finding.numbers.retain(|(_, x)| x.is_finite());
-        if !model.is_si {
-            finding.repair = None; // its numbers are converted from those of the text
+        if !model.is_si || !model.is_editable {
+            finding.repair = None; // its numbers are converted from those of the text, or shared
         }
     }
     findings.sort_by_key(|f| f.span.start);

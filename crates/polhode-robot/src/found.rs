@@ -30,7 +30,7 @@ pub(crate) fn models(files: &dyn Files, named: &[PathBuf]) -> (Vec<Found>, Vec<[
         let before = models.len();
         search(files, path, &mut models);
         if models.len() == before {
-            let hint = "model files have the extension .urdf, .sdf, .world, .xml, .usda or .osim; name a file with another extension directly";
+            let hint = "model files have the extension .urdf, .sdf, .world, .xml, .usd, .usda, .usdc, .usdz or .osim; name a file with another extension directly";
             models.push(unread(path, format!("{} contains no model", shown(path)), hint));
         }
     }

@@ -13,6 +13,7 @@ mod choice;
 mod digits;
 mod element;
 mod outcome;
+#[cfg(feature = "usd")]
 mod prim;
 mod report;
 mod request;

@@ -3,6 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
+use polhode_source::Failure;
+
 use crate::finding::Severity;
 pub use crate::span::Span;
 pub use polhode_source::xml::{Name, Number};
@@ -16,7 +18,7 @@ pub enum ModelFormat {
     Sdf,
     /// XML format of MuJoCo.
     Mjcf,
-    /// Universal Scene Description as text (`.usda`), with the UsdPhysics schema.
+    /// Universal Scene Description, with the UsdPhysics schema.
     Usd,
     /// XML format of OpenSim.
     Osim,
@@ -36,6 +38,9 @@ pub struct RobotModel {
     /// True if the text states its numbers in m, kg and kg·m². Otherwise the number texts stored
     /// here are converted to these units, and nothing is repaired.
     pub is_si: bool,
+    /// False if the text cannot be edited to change one link: a binary USD layer, or a prim that
+    /// occurs several times. Nothing is repaired then.
+    pub is_editable: bool,
     /// Included files, each once, sorted by their start. For an expanded model these are the files
     /// with the macros, the model's own first.
     pub included: Vec<Source>,
@@ -66,6 +71,18 @@ impl RobotModel {
         self.expansion.as_ref().map_or(&self.path, |expansion| &expansion.path)
     }
 
+    /// Returns the error for a binary model, which cannot be edited; `what` is not done.
+    pub(crate) fn require_text(&self, what: &str) -> Result<(), Failure> {
+        let is_package = self.path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("usdz"));
+        if self.is_editable || !self.text.is_empty() && !is_package {
+            return Ok(());
+        }
+        let file = self.path.file_name().unwrap_or_default().to_string_lossy();
+        let message = format!("binary USD and packages are not edited, so {what}");
+        let hint = format!("convert it to text: usdcat {file} --out robot.usda");
+        Err(Failure::usage(message, hint).in_file(&self.path))
+    }
+
     /// Returns true if a span lies in an included file.
     pub fn is_included(&self, span: &Span) -> bool {
         self.included.iter().any(|source| source.start <= span.start)
@@ -79,6 +96,7 @@ impl RobotModel {
             format,
             text: String::new(),
             is_si: true,
+            is_editable: true,
             included: Vec::new(),
             expansion: None,
             name: None,

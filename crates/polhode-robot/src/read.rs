@@ -15,6 +15,7 @@
 //! findings can be traced to macros.
 
 mod checked;
+mod computed;
 mod files;
 mod mjcf;
 mod model_file;
@@ -25,6 +26,7 @@ mod sdf;
 mod unread;
 mod urdf;
 mod uri;
+#[cfg(feature = "usd")]
 pub(crate) mod usd;
 mod xacro;
 pub(crate) mod xml;
@@ -69,8 +71,8 @@ impl Default for ReadOptions<'_> {
     }
 }
 
-/// Reads a URDF, SDF, MJCF, USD (`.usda`) or OpenSim file. The root element or first word
-/// determines the format.
+/// Reads a URDF, SDF, MJCF, USD or OpenSim file. The root element or first word determines the
+/// format.
 ///
 /// ```
 /// use polhode_robot::read::{ReadOptions, read_text};
@@ -85,23 +87,36 @@ impl Default for ReadOptions<'_> {
 /// [`FormatError`] if the file cannot be read, is not UTF-8, is not well-formed, has an unknown
 /// format, or has a document type.
 pub fn read_model(path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
-    let text = polhode_source::read_text_file(options.files, path, |text| Ok(text.to_owned()));
-    match text {
+    let bytes = polhode_source::read_file(options.files, path, |bytes| Ok(bytes.to_vec()))?;
+    if is_binary_usd(&bytes) {
+        return read_usd(bytes, path, options);
+    }
+    match String::from_utf8(bytes) {
         Ok(text) => read(text, path, options),
-        Err(error) => Err(binary_usd(options.files, path).unwrap_or(error)),
+        Err(error) => {
+            let valid = error.utf8_error().valid_up_to();
+            Err(FormatError::not_utf8(path, error.as_bytes(), valid))
+        }
     }
 }
 
-/// Returns the error for a binary USD file, with a hint how to convert it.
-fn binary_usd(files: &dyn Files, path: &Path) -> Option<FormatError> {
-    let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-    if !matches!(ending.as_str(), "usd" | "usdc" | "usdz") || !files.is_file(path) {
-        return None;
-    }
-    let error = ContentErrorKind::unsupported("binary USD").of_whole();
-    let file = path.file_name()?.to_string_lossy().into_owned();
-    let error = error.hint(format!("convert it to text: usdcat --flatten {file} --out robot.usda"));
-    Some(FormatError::of_content(path, b"", error))
+/// Returns true for the bytes of a binary USD layer or of a package.
+fn is_binary_usd(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PXR-USDC") || bytes.starts_with(b"PK")
+}
+
+#[cfg(feature = "usd")]
+fn read_usd(bytes: Vec<u8>, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
+    let mut model = usd::read(bytes, path, options)?;
+    keep_finite(&mut model);
+    Ok(model)
+}
+
+#[cfg(not(feature = "usd"))]
+fn read_usd(bytes: Vec<u8>, path: &Path, _options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
+    let error = ContentErrorKind::unsupported("USD in this build").of_whole();
+    let error = error.hint("check it with the command: polhode check FILE");
+    Err(FormatError::of_content(path, &bytes, error))
 }
 
 /// Reads a model from a text. `path` is for messages; its folder resolves the files that the model
@@ -151,6 +166,9 @@ fn language(root: &str) -> Option<ModelFormat> {
 }
 
 fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
+    if cfg!(feature = "languages") && format_of(&text) == Some(ModelFormat::Usd) {
+        return read_usd(text.into_bytes(), path, options);
+    }
     let Some(files) = options.files.beneath(path) else { return read_as(text, path, options) };
     let expanded = xacro::expanded(path);
     let mut model = read_as(text, &expanded, options)?;
@@ -164,13 +182,6 @@ fn read_as(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<Robot
     if format_of(&text).is_some_and(is_left_out) {
         let error = ContentErrorKind::unsupported("in this build, which reads URDF only").of_whole();
         return Err(FormatError::of_content(path, text.as_bytes(), error));
-    }
-    if cfg!(feature = "languages") && format_of(&text) == Some(ModelFormat::Usd) {
-        let mut model = RobotModel::empty(path, ModelFormat::Usd);
-        usd::read(&text, &mut model)
-            .map_err(|error| FormatError::of_content(path, text.as_bytes(), error))?;
-        keep_finite(&mut model);
-        return Ok(RobotModel { text, ..model });
     }
     let roots = uri::Roots::of(path, options);
     let naming = match format_of(&text) {

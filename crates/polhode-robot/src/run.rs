@@ -189,7 +189,9 @@ impl<'a> Inputs<'a> {
         let judged = self.judge(file, &model, findings);
         let mut report = CheckReport::new(model, geometry, judged);
         let has_repairs = report.findings().iter().any(|finding| finding.repair.is_some());
-        if !self.request.fix && !has_repairs {
+        if self.request.fix {
+            report.model.require_text("nothing is fixed")?;
+        } else if !has_repairs {
             return Ok(report);
         }
         // The fixed text is read and checked as a model. A fix that does not remove its finding is

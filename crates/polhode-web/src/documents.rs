@@ -128,7 +128,7 @@ impl Documents {
                 return unreadable(format.refusal()).hint(format.hint(path));
             }
             unreadable("its file extension is unknown".to_owned()).hint(
-                "the page shows scenarios and plans (.toml), parts lists, logs and particles (.csv .xlsx), meshes (.stl .obj .ply .off .gltf .glb .3mf .dae), robots (.urdf .sdf .xml .usda .osim) and molecules (.xyz .mol .pdb)",
+                "the page shows scenarios and plans (.toml), parts lists, logs and particles (.csv .xlsx), meshes (.stl .obj .ply .off .gltf .glb .3mf .dae), robots (.urdf .sdf .xml .osim) and molecules (.xyz .mol .pdb)",
             )
         })?;
         let is_mesh = kind == Kind::Mesh;

@@ -33,10 +33,9 @@ impl Kind {
             "sdf" if !bytes.trim_ascii_start().starts_with(b"<") => Some(Self::Molecule),
             "csv" | "tsv" | "txt" | "dat" | "json" | "jsonl" | "ndjson" => Self::of_table(&ending, bytes),
             "xlsx" | "xls" => Some(Self::only(TableKind::Budget)),
-            "urdf" => Some(Self::Robot),
-            "sdf" | "world" | "xml" | "mjcf" | "usda" | "osim" => {
-                text().and_then(format_of).map(|_| Self::Robot)
-            }
+            // The reader says why it does not read USD.
+            "urdf" | "usd" | "usda" | "usdc" | "usdz" => Some(Self::Robot),
+            "sdf" | "world" | "xml" | "mjcf" | "osim" => text().and_then(format_of).map(|_| Self::Robot),
             _ => MeshFormat::of_path(path).map(|_| Self::Mesh),
         }
     }

@@ -42,7 +42,7 @@ pub(super) fn expanded(_: &[PathBuf], _: &RobotFlags) -> Result<Overlay<'static>
 pub(super) fn is_model(path: &Path, _: &Overlay<'_>) -> bool {
     let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
     match extension.as_deref() {
-        Some("urdf" | "usda" | "osim" | "world" | "mjcf") => true,
+        Some("urdf" | "usd" | "usda" | "usdc" | "usdz" | "osim" | "world" | "mjcf") => true,
         Some("sdf" | "xml") => path.is_file() && first_character(path) == Some(b'<'),
         _ => false,
     }

@@ -25,7 +25,8 @@ pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, find
     }
     // A frame without mass needs no tensor. SDF has defaults for missing numbers.
     let weighs = inertial.mass.finite().is_some_and(|m| m != 0.0);
-    if let (Tensor::Missing(span), true) = (&inertial.tensor, weighs) {
+    let is_computed = model.format == ModelFormat::Usd && matches!(link.computed, Some(Ok(_)));
+    if let (Tensor::Missing(span), true) = (&inertial.tensor, weighs && !is_computed) {
         let moves = tree.moves(k) || model.format == ModelFormat::Urdf;
         let (severity, rule) = match model.format {
             ModelFormat::Sdf => {
@@ -45,11 +46,11 @@ pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, find
 
 /// Reports unreadable numbers of poses and sizes.
 pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
-    // One number may be part of the pose of a link, a joint and a shape.
+    // One number may be part of the pose of a link, a joint and a shape. Binary USD has no places.
     let mut told: HashSet<usize> = findings.iter().map(|f| f.span.start).collect();
     let mut tell = |subject: &Name, pose: &Pose, what: &str| {
         for unreadable in &pose.unreadable {
-            if told.insert(unreadable.span.start) {
+            if told.insert(unreadable.span.start) || unreadable.span.is_empty() {
                 number(&subject.text, unreadable, what, findings);
             }
         }

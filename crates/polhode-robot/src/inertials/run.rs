@@ -10,6 +10,7 @@ use super::choice::{Chosen, Unusable, choose};
 use super::digits::{Digits, InertialDigits};
 use super::element::LinkElements;
 use super::outcome::{Inertials, LinkOutcome, Outcome, Written};
+#[cfg(feature = "usd")]
 use super::prim;
 use super::request::InertialsRequest;
 use super::selection::{chosen, has_inertial};
@@ -22,6 +23,7 @@ use crate::line_index::LineIndex;
 use crate::model::{Link, ModelFormat, RobotModel, Span};
 use crate::moments::elements;
 use crate::parallel;
+#[cfg(feature = "usd")]
 use crate::read::usd::{MassSite, mass_sites};
 use crate::read::{ReadOptions, read_model, read_text};
 use crate::repair::{Repaired, edited};
@@ -42,12 +44,14 @@ struct Ready {
 /// Places of the links in the text.
 enum Places {
     Elements(LinkElements),
+    #[cfg(feature = "usd")]
     Prims(HashMap<String, MassSite>),
 }
 
 impl Places {
     fn of(model: &RobotModel) -> Result<Self, FormatError> {
         let places = match model.format {
+            #[cfg(feature = "usd")]
             ModelFormat::Usd => mass_sites(&model.text).map(Self::Prims),
             _ => LinkElements::of(&model.text).map(Self::Elements),
         };
@@ -130,6 +134,7 @@ fn is_usable(model: &RobotModel, link: &Link) -> bool {
 
 /// Refuses a format without shapes that bound solids.
 fn require_writable(model: &RobotModel) -> Result<(), Failure> {
+    model.require_text("no inertials are written")?;
     if model.format != ModelFormat::Osim {
         return Ok(());
     }
@@ -154,6 +159,7 @@ fn made(model: &RobotModel, places: &Places, solid: &Weighed<'_>, body: LinkBody
     let Weighed { link, chosen: Chosen { solid, role, reason } } = solid;
     let extent = solid.whole().map_or(0.0, |whole| whole.extent);
     let LinkBody { properties, mass_by, kept } = body;
+    #[cfg(feature = "usd")]
     let is_kept = kept.is_some();
     let digits = InertialDigits::of(&properties, solid.error, extent, kept);
     let states_it = has_inertial(link) && link.computed.is_none();
@@ -161,6 +167,7 @@ fn made(model: &RobotModel, places: &Places, solid: &Weighed<'_>, body: LinkBody
     let edits = match places {
         _ if is_unchanged => Vec::new(),
         Places::Elements(elements) => elements.edits(model, link, &digits)?,
+        #[cfg(feature = "usd")]
         Places::Prims(sites) => prim::edits(model, sites, link, &properties, &digits, is_kept)?,
     };
     let written = Written {

@@ -11,7 +11,8 @@ use crate::model::ModelFormat;
 
 /// Returns true if a file is a robot model.
 ///
-/// All `.urdf`, `.usda` and `.osim` files are. Files with the extension `.sdf`, `.world`, `.xml` or
+/// All `.urdf`, `.usda` and `.osim` files are, and with the feature `usd` all `.usd`, `.usdc` and
+/// `.usdz` files. Files with the extension `.sdf`, `.world`, `.xml` or
 /// `.mjcf` are models unless they are clearly something else: XML with another root element, or not
 /// XML. A file that cannot be opened, or that ends before its root element, counts as a model, so
 /// that its reader reports the error.
@@ -22,12 +23,16 @@ pub fn is_model(files: &dyn Files, path: &Path) -> bool {
     let ending = path.extension().map(OsStr::to_ascii_lowercase);
     let needs_root = match ending.as_ref().and_then(|ending| ending.to_str()) {
         Some("urdf" | "usda" | "osim") => false,
+        Some("usd" | "usdc" | "usdz") => return cfg!(feature = "usd") && !is_other(files, path),
         Some("sdf" | "world" | "xml" | "mjcf") => true,
         _ => return false,
     };
-    // Reading a pipe would not end.
-    let is_other = files.look(path).is_ok_and(|look| !look.is_file());
-    !is_other && (!needs_root || has_model_root(files, path).unwrap_or(true))
+    !is_other(files, path) && (!needs_root || has_model_root(files, path).unwrap_or(true))
+}
+
+/// Returns true for a folder or pipe. Reading a pipe would not end.
+fn is_other(files: &dyn Files, path: &Path) -> bool {
+    files.look(path).is_ok_and(|look| !look.is_file())
 }
 
 /// Returns true if the root element is that of a model, or cannot be found. Only a file that begins

@@ -142,6 +142,7 @@ fn model(links: Vec<Link>, joints: Vec<Joint>) -> RobotModel {
         format: ModelFormat::Urdf,
         text,
         is_si: true,
+        is_editable: true,
         included: Vec::new(),
         expansion: None,
         name: None,

@@ -18,6 +18,7 @@ fn model() -> RobotModel {
         format: ModelFormat::Urdf,
         text: TEXT.to_owned(),
         is_si: true,
+        is_editable: true,
         included: Vec::new(),
         expansion: None,
         name: None,

@@ -1,5 +1,6 @@
 //! ZIP archive of a package: entries by name, decompressed while they are read.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fmt;
 use std::io::{self, BufRead, BufReader, Cursor, Read};
@@ -87,6 +88,12 @@ impl<'a> Archive<'a> {
     /// Returns true if an entry has this name, with or without a leading slash.
     pub fn has(&self, path: &str) -> bool {
         self.numbers.contains_key(&key(path))
+    }
+
+    /// Returns the names of all entries, in the order of the archive's directory.
+    pub fn names(&self) -> Vec<String> {
+        let all = (0..self.zip.len()).filter_map(|k| self.zip.name_for_index(k)?.ok());
+        all.map(Cow::into_owned).collect()
     }
 
     /// Opens an entry for reading.

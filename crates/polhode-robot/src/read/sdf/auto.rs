@@ -9,11 +9,11 @@
 
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
-use polhode_document::number::number;
 
 use crate::finding::Severity;
 use crate::geometry::{Shapes, Volume, VolumeKind};
 use crate::model::{ComputedMass, GeometryShape, Link, Note, Role};
+use crate::read::computed::in_words;
 use crate::read::xml::Element;
 
 /// Default density, kg/m³.
@@ -53,8 +53,6 @@ pub(super) fn compute(
     let computed = parts(link, &collisions, inertial, shapes).and_then(|parts| together(&parts, inertial));
     link.computed = Some(match computed {
         Ok(computed) => {
-            let ComputedMass { mass, center: [x, y, z], tensor } = computed;
-            let [xx, yy, zz, xy, xz, yz] = tensor.map(|element| short(element, tensor));
             let count = match collisions.len() {
                 1 => "1 collision".to_owned(),
                 count => format!("{count} collisions"),
@@ -63,10 +61,7 @@ pub(super) fn compute(
             let is_assumed = ["mass", "density"].iter().all(|own| inertial.child(own).is_none())
                 && !collisions.iter().all(is_stated);
             let assumed = if is_assumed { " with the default density 1000 kg/m³" } else { "" };
-            let (mass, center) = (number(mass, 6), [x, y, z].map(|c| short(c, [x, y, z, 1e-3])).join(", "));
-            let message = format!(
-                "computed from {count}{assumed}: {mass} kg at ({center}) m, ixx {xx} iyy {yy} izz {zz} ixy {xy} ixz {xz} iyz {yz} kg·m²"
-            );
+            let message = format!("computed from {count}{assumed}: {}", in_words(&computed));
             note(Severity::Note, message);
             Ok(computed)
         }
@@ -79,12 +74,6 @@ pub(super) fn compute(
             Err(why)
         }
     });
-}
-
-/// Formats a number; 0 if it is rounding error compared with the largest.
-fn short<const N: usize>(value: f64, all: [f64; N]) -> String {
-    let largest = all.iter().fold(0.0_f64, |largest, other| largest.max(other.abs()));
-    number(if value.abs() < 1e-14 * largest { 0.0 } else { value }, 6)
 }
 
 /// Returns the collisions as bodies with their densities.

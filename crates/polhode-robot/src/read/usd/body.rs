@@ -1,10 +1,11 @@
 //! Rigid bodies: their pose, and their mass properties from UsdPhysics' `MassAPI`.
 //!
-//! Values that `MassAPI` omits, or states as zero (−inf for the centre), are computed by the
-//! physics engine from the collision shapes. Here they are missing.
+//! Values that `MassAPI` omits, or states as zero (−inf for the centre), are computed from the
+//! colliders ([`super::mass`]). Without colliders they are missing.
 
-use super::layer::{Prim, Value};
+use super::layer::Prim;
 use super::unit::in_si;
+use super::value::Value;
 use super::{Stage, applies, changing};
 use crate::finding::Severity;
 use crate::model::{Inertial, Link, Note, Number, Pose, Slot, Tensor};
@@ -16,25 +17,48 @@ pub(super) const MOMENTS: &str = "physics:diagonalInertia";
 pub(super) const AXES: &str = "physics:principalAxes";
 
 /// All attributes that state mass properties.
-const ATTRIBUTES: [&str; 5] = [MASS, CENTER, MOMENTS, AXES, "physics:density"];
+pub(super) const ATTRIBUTES: [&str; 5] = [MASS, CENTER, MOMENTS, AXES, "physics:density"];
 
 /// Returns true if a prim states mass properties.
 pub(super) fn has_mass(prim: &Prim) -> bool {
+    if prim.kind == "Material" || applies(prim, "PhysicsMaterialAPI") {
+        return false; // its density is that of the colliders that it is bound to
+    }
     applies(prim, "PhysicsMassAPI")
         || ATTRIBUTES.iter().any(|name| prim.properties.contains_key(*name))
         || changing::of_mass(prim, &ATTRIBUTES, &mut Vec::new()).is_some()
 }
 
-/// Returns the link of a body; its shapes are added later.
-pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Note>) -> Link {
+/// Reports a mass that UsdPhysics ignores, because `PhysicsMassAPI` is not applied.
+pub(super) fn unapplied(prim: &Prim, notes: &mut Vec<Note>) {
+    if !applies(prim, "PhysicsMassAPI") {
+        ignoring(prim, "PhysicsMassAPI is not applied to the prim", notes);
+    }
+}
+
+/// Reports a mass that UsdPhysics ignores, because its prim is not a body or collider.
+pub(super) fn ignored(prim: &Prim, notes: &mut Vec<Note>) {
+    ignoring(prim, "the prim is neither a rigid body nor a collider", notes);
+}
+
+fn ignoring(prim: &Prim, why: &str, notes: &mut Vec<Note>) {
+    let named = ATTRIBUTES.iter().find_map(|name| prim.properties.get(*name).map(|value| (name, value)));
+    let Some((name, value)) = named else { return };
+    let message = format!("UsdPhysics ignores {name}: {why}");
+    let note = Note::new("read.unknown", &prim.path, value.span.clone(), message);
+    notes.push(Note { severity: Severity::Suspect, ..note });
+}
+
+/// Returns the link of a body, and true if what it does not state may be computed. Its shapes are
+/// added later.
+pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Note>) -> (Link, bool) {
     let place = stage.place(k);
     let scaled = place.scaled_pose();
     let pose = scaled
         .as_ref()
         .map_or(Pose { unreadable: place.unreadable.clone(), ..Pose::IDENTITY }, |(_, pose)| pose.clone());
     let name = crate::model::Name { text: prim.path.clone(), ..prim.name.clone() };
-    let is_scaled = place.is_mirrored()
-        || scaled.is_none_or(|(scale, _)| scale.iter().any(|factor| (factor - 1.0).abs() > 1e-5));
+    let is_scaled = place.is_scaled();
     let mut link = Link {
         name,
         span: prim.span.clone(),
@@ -47,11 +71,12 @@ pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Not
     };
     let changing = changing::of_mass(prim, &ATTRIBUTES, notes);
     let too_many = too_many(prim, notes);
+    let is_computable = changing.is_none() && too_many.is_none() && scaled.is_some();
     let Some(mass) = prim.properties.get(MASS).filter(|mass| mass.is_given()) else {
         let why = || "it is missing: the physics engine computes it from the collision shapes".to_owned();
         link.from_geometry = true;
         link.computed = Some(Err(changing.or(too_many).unwrap_or_else(why)));
-        return link;
+        return (link, is_computable);
     };
     if prim.properties.contains_key("physics:density") {
         let message = "both a mass and a density: the mass is used".to_owned();
@@ -69,7 +94,7 @@ pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Not
         link.computed = Some(Err(why));
     }
     link.inertial = Some(inertial);
-    link
+    (link, is_computable)
 }
 
 /// Reports attributes with too many numbers, and returns the reason why the body has no mass
@@ -92,7 +117,7 @@ fn too_many(prim: &Prim, notes: &mut Vec<Note>) -> Option<String> {
 fn inertial(stage: &Stage<'_>, prim: &Prim, mass: &Value) -> (Inertial, bool) {
     let units = stage.units;
     let mut pose = Pose::IDENTITY;
-    let center = prim.properties.get(CENTER).filter(|center| !center.numbers.iter().any(is_left_out));
+    let center = prim.properties.get(CENTER).filter(|center| !is_left_out(center));
     if let Some(center) = center {
         match super::xform::numbers::<3>(center) {
             Some(center) => pose.position = center.map(|c| units.metres * c),
@@ -121,9 +146,9 @@ fn inertial(stage: &Stage<'_>, prim: &Prim, mass: &Value) -> (Inertial, bool) {
     (Inertial { span: prim.span.clone(), mass, pose, tensor }, center.is_some())
 }
 
-/// Returns true for −inf, the value that requests computation.
-fn is_left_out(number: &Number) -> bool {
-    number.value == Some(f64::NEG_INFINITY)
+/// Returns true for a centre with −inf, the value that requests computation.
+pub(super) fn is_left_out(center: &Value) -> bool {
+    center.numbers.iter().any(|number| number.value == Some(f64::NEG_INFINITY))
 }
 
 fn slot(value: &Value, k: usize, unit: f64, name: &str) -> Slot {

@@ -18,14 +18,14 @@ pub(super) fn of_mass(prim: &Prim, attributes: &[&str], notes: &mut Vec<Note>) -
     Some(format!("{name} is not read"))
 }
 
-/// Reports such an attribute of the size or pose of a shape.
-pub(super) fn of_shape(prim: &Prim, link: &str, notes: &mut Vec<Note>) {
+/// Reports such an attribute of the size or pose of a shape; returns true if there is one.
+pub(super) fn of_shape(prim: &Prim, link: &str, notes: &mut Vec<Note>) -> bool {
     let is_shape =
         |name: &str| matches!(name, "size" | "radius" | "height" | "axis") || name.starts_with("xformOp:");
-    if let Some((name, span)) = first(prim, is_shape) {
-        let message = format!("{name} of {} is not read; the shape is used without it", prim.path);
-        notes.push(Note::new("read.animated", link, span, message));
-    }
+    let Some((name, span)) = first(prim, is_shape) else { return false };
+    let message = format!("{name} of {} is not read; the shape is used without it", prim.path);
+    notes.push(Note::new("read.animated", link, span, message));
+    true
 }
 
 /// Returns the first such attribute, in file order.
@@ -34,6 +34,6 @@ fn first(prim: &Prim, matters: impl Fn(&str) -> bool) -> Option<(&str, Span)> {
         name.rsplit_once('.').is_some_and(|(own, suffix)| SUFFIXES.contains(&suffix) && matters(own))
     };
     let all = prim.properties.iter().filter(|(name, _)| changes(name));
-    let first = all.min_by_key(|(_, value)| value.span.start)?;
+    let first = all.min_by_key(|(name, value)| (value.span.start, name.as_str()))?;
     Some((first.0.as_str(), first.1.span.clone()))
 }

@@ -4,8 +4,9 @@
 //! not read, because the schema does not define its unit.
 
 use super::Stage;
-use super::layer::{Prim, Value};
+use super::layer::Prim;
 use super::path::absolute;
+use super::value::Value;
 use crate::coordinate::{NO_NUMBER, limits};
 use crate::model::{Coordinate, Follows, JointKind, Name};
 
@@ -22,7 +23,7 @@ pub(super) fn of(stage: &Stage<'_>, prim: &Prim, kind: JointKind) -> Coordinate 
         |side: &str| number(prim.properties.get(&format!("physics:{side}Limit"))?).map(|limit| unit * limit);
     let mut mimics: Vec<Follows> =
         prim.properties.iter().filter_map(|(name, value)| follows(stage, prim, unit, name, value)).collect();
-    mimics.sort_by_key(|mimic| mimic.span.start);
+    mimics.sort_by_key(|mimic| (mimic.span.start, mimic.leader.as_ref().map(|leader| leader.text.clone())));
     let several = mimics.len() > 1;
     let follows = mimics.into_iter().next().map(|mimic| match several {
         true => Follows { coefficients: Err("it follows several joints".to_owned()), ..mimic },
@@ -35,7 +36,8 @@ pub(super) fn of(stage: &Stage<'_>, prim: &Prim, kind: JointKind) -> Coordinate 
         _ => ("linear", stage.units.kilograms),
     };
     let own = prim.properties.get(&format!("physxJointAxis:{axis}:armature"));
-    let armature = own.or_else(|| prim.properties.get("physxJoint:armature"));
+    let others = ["physxJoint:armature", "mjc:armature", "newton:armature"];
+    let armature = own.or_else(|| others.iter().find_map(|name| prim.properties.get(*name)));
     let armature = armature.map_or(0.0, |value| number(value).map_or(f64::NAN, |armature| unit * armature));
     let limits = limits(limit("lower"), limit("upper"));
     Coordinate { limits, follows, armature, ..Coordinate::default() }

@@ -57,7 +57,7 @@ pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
 fn end(stage: &Stage<'_>, prim: &Prim, number: usize) -> (Option<Name>, Pose) {
     let property = |name: &str| prim.properties.get(&format!("physics:{name}{number}"));
     let mut pose = Pose::IDENTITY;
-    let mut wrong = |value: &super::layer::Value| {
+    let mut wrong = |value: &super::value::Value| {
         pose.unreadable.push(crate::model::Number {
             text: "no such numbers".to_owned(),
             span: value.span.clone(),

@@ -1,16 +1,20 @@
-//! USD layer as text (`.usda`): nested prims with metadata and properties.
+//! USD layer as text (`.usda`): nested prims with metadata and properties, and their positions.
+//!
+//! A variant is a prim here, with the path of its spec: `/robot{hand=left}`.
 //!
 //! Source: openusd.org, "Text File Format". Values are stored flat, in order: numbers, and words or
 //! strings.
 
 use std::collections::HashMap;
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
-use super::token::{Token, TokenKind, tokens};
-use crate::model::{Name, Number, Span};
+use super::statement::Reader;
+use super::token::{TokenKind, tokens};
+use super::value::Value;
+use crate::model::{Name, Span};
 
-/// Maximum nesting depth of prims.
+/// Maximum nesting depth of prims and variants.
 const MOST_DEPTH: usize = 500;
 
 /// Layer: its metadata and its prims, each after its parent.
@@ -18,7 +22,7 @@ const MOST_DEPTH: usize = 500;
 pub(super) struct Layer {
     pub(super) metadata: HashMap<String, Value>,
     pub(super) prims: Vec<Prim>,
-    /// Positions of variant sets, which are not read.
+    /// Positions of variant sets.
     pub(super) variants: Vec<Span>,
     /// Repeated statements: path of the prim (empty for the layer), name, and position.
     pub(super) twice: Vec<(String, String, Span)>,
@@ -41,37 +45,17 @@ pub(super) struct Prim {
     pub(super) openings: (Option<usize>, usize),
     pub(super) metadata: HashMap<String, Value>,
     pub(super) properties: HashMap<String, Value>,
-    /// True for a `class`, which only provides opinions to others, for its descendants, and for
-    /// inactive prims.
+    /// True for a `class`, which only provides opinions to others, for a variant, for the
+    /// descendants of both, and for inactive prims.
     pub(super) is_abstract: bool,
 }
 
-/// Value of a property or metadata key.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Value {
-    pub(super) span: Span,
-    pub(super) numbers: Vec<Number>,
-    /// Strings, words, paths and assets, without delimiters.
-    pub(super) words: Vec<String>,
-}
-
-impl Value {
-    /// Returns numbers and words as text, separated by spaces.
-    pub(super) fn text(&self) -> String {
-        let numbers = self.numbers.iter().map(|number| number.text.as_str());
-        numbers.chain(self.words.iter().map(String::as_str)).collect::<Vec<_>>().join(" ")
-    }
-
-    /// Returns true unless the value is empty or all zero, which means "not given" in USD.
-    pub(super) fn is_given(&self) -> bool {
-        !self.words.is_empty() || self.numbers.iter().any(|number| number.value != Some(0.0))
-    }
-
-    /// Returns true for `false`, which usdcat writes as 0 in attributes.
-    pub(super) fn is_false(&self) -> bool {
-        self.words.iter().any(|word| word == "false")
-            || self.numbers.iter().any(|number| number.value == Some(0.0))
-    }
+/// Element whose `}` has not been read.
+enum Open {
+    /// Prim or variant, with its index.
+    Prim(usize),
+    /// Variant set with its name.
+    Set(String),
 }
 
 impl Prim {
@@ -93,6 +77,22 @@ pub(super) fn require_short(bytes: usize, text: usize, span: Span) -> Result<(),
 }
 
 impl Layer {
+    /// Returns true if other layers or prims contribute to the stage of this layer.
+    pub(super) fn has_arcs(&self) -> bool {
+        const ARCS: [&str; 8] = [
+            "references",
+            "payload",
+            "inherits",
+            "specializes",
+            "subLayers",
+            "relocates",
+            "clips",
+            "instanceable",
+        ];
+        let own = |metadata: &HashMap<String, Value>| ARCS.iter().any(|key| metadata.contains_key(*key));
+        !self.variants.is_empty() || own(&self.metadata) || self.prims.iter().any(|prim| own(&prim.metadata))
+    }
+
     pub(super) fn of(text: &str) -> Result<Self, ContentError> {
         let tokens = tokens(text)?;
         let mut layer = Self::default();
@@ -101,31 +101,42 @@ impl Layer {
             layer.metadata = reader.metadata()?;
             layer.note_twice(&mut reader, None);
         }
-        let mut open: Vec<usize> = Vec::new();
+        let mut open: Vec<Open> = Vec::new();
         while let Some(token) = reader.peek() {
-            match &token.kind {
-                TokenKind::Mark('}') if !open.is_empty() => {
+            match (&token.kind, open.last()) {
+                (TokenKind::Mark('}'), Some(_)) => {
                     reader.at += 1;
                     open.pop();
                 }
-                TokenKind::Mark(';') => reader.at += 1,
-                TokenKind::Word(word) if matches!(*word, "def" | "over" | "class") => {
+                (TokenKind::Text(variant), Some(Open::Set(set))) => {
+                    let name = Name { text: format!("{{{set}={variant}}}"), span: token.span.clone() };
+                    reader.at += 1;
+                    layer.put(&mut reader, &mut open, token.span.clone(), name, String::new(), true)?;
+                }
+                (_, Some(Open::Set(_))) => return Err(reader.expected("the name of a variant")),
+                (TokenKind::Mark(';'), _) => reader.at += 1,
+                (TokenKind::Word(word), _) if matches!(*word, "def" | "over" | "class") => {
                     layer.prim(&mut reader, &mut open)?;
                 }
-                TokenKind::Word("variantSet") if !open.is_empty() => {
+                (TokenKind::Word("variantSet"), Some(Open::Prim(_))) => {
                     layer.variants.push(token.span.clone());
-                    reader.at += 2; // and its name
+                    reader.at += 1;
+                    let Some(TokenKind::Text(set)) = reader.next().map(|token| &token.kind) else {
+                        return Err(reader.expected("the name of the variant set"));
+                    };
                     reader.expect('=')?;
-                    reader.value()?;
+                    reader.expect('{')?;
+                    open.push(Open::Set((*set).to_owned()));
                 }
-                TokenKind::Word(_) => {
+                (TokenKind::Word(_), prim) => {
+                    let prim = if let Some(Open::Prim(prim)) = prim { Some(*prim) } else { None };
                     let property = reader.property()?;
-                    if let (Some(property), Some(&prim)) = (property, open.last())
+                    if let (Some(property), Some(prim)) = (property, prim)
                         && let Some(prim) = layer.prims.get_mut(prim)
                     {
                         reader.twice.extend(property.put_into(&mut prim.properties));
                     }
-                    layer.note_twice(&mut reader, open.last().copied());
+                    layer.note_twice(&mut reader, prim);
                 }
                 _ => return Err(reader.expected("a prim or a property")),
             }
@@ -142,9 +153,9 @@ impl Layer {
     }
 
     /// Reads the start of a prim, up to its `{`.
-    fn prim(&mut self, reader: &mut Reader<'_, '_>, open: &mut Vec<usize>) -> Result<(), ContentError> {
+    fn prim(&mut self, reader: &mut Reader<'_, '_>, open: &mut Vec<Open>) -> Result<(), ContentError> {
         let Some(first) = reader.next() else { return Ok(()) };
-        let mut is_abstract = matches!(first.kind, TokenKind::Word("class"));
+        let is_class = matches!(first.kind, TokenKind::Word("class"));
         let mut kind = String::new();
         let name = loop {
             match reader.next().map(|token| (&token.kind, token.span.clone())) {
@@ -153,10 +164,22 @@ impl Layer {
                 _ => return Err(reader.expected("the name of the prim")),
             }
         };
+        self.put(reader, open, first.span.clone(), name, kind, is_class)
+    }
+
+    /// Adds a prim or variant whose name has been read; reads on up to its `{`.
+    fn put(
+        &mut self,
+        reader: &mut Reader<'_, '_>,
+        open: &mut Vec<Open>,
+        first: Span,
+        name: Name,
+        kind: String,
+        mut is_abstract: bool,
+    ) -> Result<(), ContentError> {
         if open.len() >= MOST_DEPTH {
             let what = format!("prims nested deeper than {MOST_DEPTH}");
-            let place = ContentPlace::Text(first.span.clone());
-            return Err(ContentError::new(ContentErrorKind::unsupported(what), place));
+            return Err(ContentErrorKind::unsupported(what).at(first));
         }
         let (mut parenthesis, mut metadata) = (None, HashMap::new());
         if reader.takes('(') {
@@ -165,221 +188,35 @@ impl Layer {
         }
         reader.expect('{')?;
         let openings = (parenthesis, reader.last_end());
-        let parent = open.last().copied();
+        let parent =
+            open.iter().rev().find_map(|open| if let Open::Prim(k) = open { Some(*k) } else { None });
         let around = parent.and_then(|parent| self.prims.get(parent));
-        self.path_bytes += around.map_or(0, |around| around.path.len()) + name.text.len() + 1;
-        require_short(self.path_bytes, reader.end, first.span.clone())?;
-        let path = format!("{}/{}", around.map_or("", |around| &around.path), name.text);
+        let path = child_path(around.map_or("", |around| &around.path), &name.text);
+        self.path_bytes += path.len();
+        require_short(self.path_bytes, reader.end, first.clone())?;
         is_abstract |= around.is_some_and(|around| around.is_abstract);
         is_abstract |= metadata.get("active").is_some_and(Value::is_false);
-        open.push(self.prims.len());
-        let span = first.span.start..name.span.end + 1;
+        open.push(Open::Prim(self.prims.len()));
         self.prims.push(Prim {
             kind,
+            span: first.start..name.span.end + 1,
             name,
             parent,
             path,
-            span,
             openings,
             metadata,
             properties: HashMap::new(),
             is_abstract,
         });
-        self.note_twice(reader, open.last().copied());
+        let last = self.prims.len().checked_sub(1);
+        self.note_twice(reader, last);
         Ok(())
     }
 }
 
-/// List operation of a statement. Removals and orderings refer to lower layers, which are not read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Edit {
-    /// The list is replaced.
-    Explicit,
-    /// `prepend`, `append` and `add`: the items are added.
-    Added,
-    /// `delete` and `reorder`: operations on items of other layers.
-    OfOthers,
-}
-
-impl Edit {
-    fn of(word: &str) -> Self {
-        match word {
-            "prepend" | "append" | "add" => Self::Added,
-            "delete" | "reorder" => Self::OfOthers,
-            _ => Self::Explicit,
-        }
-    }
-}
-
-/// Property or metadata key.
-struct Property {
-    name: String,
-    edit: Edit,
-    value: Value,
-}
-
-impl Property {
-    /// Inserts the property; returns its name and position if it was stated before.
-    fn put_into(self, all: &mut HashMap<String, Value>) -> Option<(String, Span)> {
-        let Self { name, edit, value } = self;
-        match (edit, all.get_mut(&name)) {
-            (Edit::OfOthers, _) => None,
-            (Edit::Added, Some(there)) => {
-                there.numbers.extend(value.numbers);
-                there.words.extend(value.words);
-                None
-            }
-            _ => {
-                let span = value.span.clone();
-                all.insert(name.clone(), value).map(|_| (name, span))
-            }
-        }
-    }
-}
-
-struct Reader<'t, 's> {
-    tokens: &'t [Token<'s>],
-    at: usize,
-    /// Length of the text.
-    end: usize,
-    /// Names that were stated twice, and their positions.
-    twice: Vec<(String, Span)>,
-}
-
-impl<'t, 's> Reader<'t, 's> {
-    fn peek(&self) -> Option<&'t Token<'s>> {
-        self.tokens.get(self.at)
-    }
-
-    fn next(&mut self) -> Option<&'t Token<'s>> {
-        let token = self.peek();
-        self.at += 1;
-        token
-    }
-
-    /// Returns the end of the last token that was read.
-    fn last_end(&self) -> usize {
-        let last = self.at.checked_sub(1).and_then(|last| self.tokens.get(last));
-        last.map_or(0, |token| token.span.end)
-    }
-
-    fn takes(&mut self, mark: char) -> bool {
-        let takes = self.peek().is_some_and(|token| token.is(mark));
-        self.at += usize::from(takes);
-        takes
-    }
-
-    fn expect(&mut self, mark: char) -> Result<(), ContentError> {
-        if self.takes(mark) { Ok(()) } else { Err(self.expected(&format!("a {mark}"))) }
-    }
-
-    fn expected(&self, what: &str) -> ContentError {
-        let span = self.peek().map_or(self.end..self.end, |token| token.span.clone());
-        let found = self.peek().map_or_else(String::new, |token| token.kind.in_words());
-        ContentErrorKind::expected(what, found).at(span)
-    }
-
-    /// Reads keys and values up to `)`.
-    fn metadata(&mut self) -> Result<HashMap<String, Value>, ContentError> {
-        let mut metadata = HashMap::new();
-        loop {
-            match self.peek().map(|token| &token.kind) {
-                Some(TokenKind::Mark(')')) => {
-                    self.at += 1;
-                    return Ok(metadata);
-                }
-                Some(TokenKind::Text(_) | TokenKind::Mark(';' | ',')) => self.at += 1,
-                Some(TokenKind::Word(_)) => {
-                    if let Some(property) = self.property()? {
-                        self.twice.extend(property.put_into(&mut metadata));
-                    }
-                }
-                _ => return Err(self.expected("a key of metadata, or the closing )")),
-            }
-        }
-    }
-
-    /// Reads words, the last of which is the name, and the value; `None` without a value.
-    fn property(&mut self) -> Result<Option<Property>, ContentError> {
-        let (mut name, mut edit) = ("", Edit::Explicit);
-        let mut is_first = true;
-        while let Some(token) = self.peek().filter(|token| is_first || !token.begins_line) {
-            match &token.kind {
-                TokenKind::Word(word) => {
-                    if is_first {
-                        edit = Edit::of(word);
-                    }
-                    name = word;
-                }
-                TokenKind::Mark('[' | ']') => {}
-                _ => break,
-            }
-            self.at += 1;
-            is_first = false;
-        }
-        if !self.takes('=') {
-            self.own_metadata()?;
-            return Ok(None);
-        }
-        let value = self.value()?;
-        self.own_metadata()?;
-        Ok(Some(Property { name: name.to_owned(), edit, value }))
-    }
-
-    /// Skips the metadata of a property.
-    fn own_metadata(&mut self) -> Result<(), ContentError> {
-        if self.takes('(') {
-            self.metadata()?;
-        }
-        Ok(())
-    }
-
-    /// Reads a value: one word, or everything between brackets.
-    fn value(&mut self) -> Result<Value, ContentError> {
-        let mut value = Value::default();
-        let mut closing: Vec<char> = Vec::new();
-        let first = self.at;
-        loop {
-            let Some(token) = self.next() else { return Err(self.expected("the end of the value")) };
-            match &token.kind {
-                TokenKind::Mark('(') => closing.push(')'),
-                TokenKind::Mark('[') => closing.push(']'),
-                TokenKind::Mark('{') => closing.push('}'),
-                TokenKind::Mark(mark @ (')' | ']' | '}')) => {
-                    if closing.pop() != Some(*mark) {
-                        self.at -= 1;
-                        return Err(self.expected("the closing bracket"));
-                    }
-                }
-                TokenKind::Mark(_) if closing.is_empty() => {
-                    self.at -= 1;
-                    return Err(self.expected("a value"));
-                }
-                TokenKind::Mark(_) => {}
-                TokenKind::Number(text) => value.numbers.push(Number {
-                    text: (*text).to_owned(),
-                    span: token.span.clone(),
-                    value: text.parse().ok(),
-                }),
-                // The keyword for no value.
-                TokenKind::Word("None") => {}
-                TokenKind::Word(word) => value.words.push((*word).to_owned()),
-                TokenKind::Text(text) | TokenKind::Path(text) => value.words.push((*text).to_owned()),
-                TokenKind::Asset(text) => value.words.push(format!("@{text}@")),
-            }
-            if closing.is_empty() {
-                // Path after an asset: @file@</prim>.
-                let goes_on = self.peek().is_some_and(|next| {
-                    !next.begins_line
-                        && matches!(next.kind, TokenKind::Path(_))
-                        && matches!(token.kind, TokenKind::Asset(_))
-                });
-                if !goes_on {
-                    let start = self.tokens.get(first).map_or(0, |token| token.span.start);
-                    value.span = start..token.span.end;
-                    return Ok(value);
-                }
-            }
-        }
-    }
+/// Returns the path of a prim or variant by its parent's path: `/a/b`, `/a{set=name}`,
+/// `/a{set=name}b`.
+fn child_path(parent: &str, name: &str) -> String {
+    let slash = if name.starts_with('{') || parent.ends_with('}') { "" } else { "/" };
+    format!("{parent}{slash}{name}")
 }

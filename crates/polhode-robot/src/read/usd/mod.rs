@@ -1,33 +1,43 @@
-//! USD as text: rigid bodies of UsdPhysics, with their masses, shapes and joints.
+//! USD: rigid bodies of UsdPhysics, with their masses, shapes and joints.
 //!
 //! Lengths in a file are in the layer's unit (`metersPerUnit`, by default a centimetre) and
 //! masses in `kilogramsPerUnit`. Here all numbers and their texts are in SI units. Quaternions are
 //! (w, x, y, z). The up axis of the stage is not applied to bodies.
 //!
-//! Only one layer is read. Content of other layers (`subLayers`, `references`, `payload`,
-//! `inherits`, `specializes`, variant sets) is reported as a note.
+//! A text layer without arcs is read by itself, with its wrong numbers. A layer with arcs
+//! (`subLayers`, `references`, `payload`, `inherits`, `specializes`, variant sets), a binary layer
+//! and a package are composed.
 //!
 //! Source: openusd.org, "Rigid Body Physics in USD"; the schemas UsdPhysics and UsdGeom.
 
 mod body;
 mod changing;
+mod composed;
 mod coordinate;
 mod joint;
 mod layer;
+mod mass;
 mod mass_site;
 mod path;
 mod shape;
+mod statement;
 mod token;
 mod unit;
+mod unread;
+mod value;
 mod xform;
 
 use std::collections::HashMap;
+use std::collections::HashSet;
+use std::path::Path;
 
-use polhode_source::ContentError;
+use polhode_source::{ContentError, FormatError};
 
+use super::ReadOptions;
 use crate::finding::Severity;
-use crate::model::{Note, Pose, RobotModel};
+use crate::model::{ModelFormat, Note, Pose, RobotModel};
 use layer::{Layer, Prim, require_short};
+use mass::Colliders;
 use unit::Units;
 use xform::Affine;
 
@@ -36,32 +46,119 @@ pub(crate) use mass_site::{MassSite, mass_sites};
 /// Metadata keys that refer to other layers or prims.
 const ELSEWHERE: [&str; 5] = ["references", "payload", "inherits", "specializes", "subLayers"];
 
-/// Fills the model from a layer.
-pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentError> {
-    let layer = Layer::of(text)?;
+/// Reads a stage by its root layer or package.
+///
+/// # Errors
+/// [`FormatError`] if a layer cannot be read, or if the stage cannot be composed.
+pub(super) fn read(
+    bytes: Vec<u8>,
+    path: &Path,
+    options: &ReadOptions<'_>,
+) -> Result<RobotModel, FormatError> {
+    let mut model = RobotModel::empty(path, ModelFormat::Usd);
+    let layer = match single(&bytes, path)? {
+        Some(layer) => {
+            model.text = String::from_utf8(bytes).unwrap_or_default();
+            layer
+        }
+        None => composed(bytes, path, options, &mut model)?,
+    };
+    let failed = |model: &RobotModel, error| FormatError::of_content(path, model.text.as_bytes(), error);
+    let bytes = model.texts().map(str::len).sum();
+    fill(&layer, bytes, &mut model).map_err(|error| failed(&model, error))?;
+    Ok(model)
+}
+
+/// Returns a text layer that is read by itself: one without arcs.
+fn single(bytes: &[u8], path: &Path) -> Result<Option<Layer>, FormatError> {
+    let Ok(text) = str::from_utf8(bytes) else { return Ok(None) };
+    if crate::read::is_binary_usd(bytes) {
+        return Ok(None);
+    }
+    let layer = Layer::of(text).map_err(|error| FormatError::of_content(path, bytes, error))?;
+    Ok((!layer.has_arcs()).then_some(layer))
+}
+
+fn composed(
+    bytes: Vec<u8>,
+    path: &Path,
+    options: &ReadOptions<'_>,
+    model: &mut RobotModel,
+) -> Result<Layer, FormatError> {
+    let composed::Composed { layer, notes, sources, is_text } = composed::read(path, bytes, options)?;
+    let mut sources = sources.into_iter();
+    model.text = sources.next().map_or_else(String::new, |root| root.text);
+    model.included = sources.collect();
+    model.notes = notes;
+    model.is_editable = is_text && !has_shared(&layer);
+    Ok(layer)
+}
+
+/// Returns true if two prims have their values at one place: both are instances of one prim.
+fn has_shared(layer: &Layer) -> bool {
+    let mut places = HashSet::new();
+    let masses = layer.prims.iter().filter_map(|prim| prim.properties.get(body::MASS));
+    masses.into_iter().any(|mass| !places.insert(mass.span.clone()))
+}
+
+/// Fills the model from a layer; `bytes` is the length of its text.
+fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), ContentError> {
     model.name = layer.metadata.get("defaultPrim").and_then(|prim| prim.words.first().cloned());
-    let units = Units::of(&layer, &mut model.notes)?;
+    let units = Units::of(layer, &mut model.notes)?;
     model.is_si = units.are_si();
-    elsewhere(&layer, &mut model.notes);
-    twice(&layer, &mut model.notes);
-    let stage = Stage::of(&layer, units);
+    elsewhere(layer, &mut model.notes);
+    twice(layer, &mut model.notes);
+    let stage = Stage::of(layer, units);
     let mut links = HashMap::new();
+    let mut colliders: Vec<Colliders<'_>> = Vec::new();
     for (k, prim) in layer.prims.iter().enumerate() {
         if stage.is_body(k) {
             links.insert(k, model.links.len());
-            let link = body::link(&stage, k, prim, &mut model.notes);
+            body::unapplied(prim, &mut model.notes);
+            let (link, is_computable) = body::link(&stage, k, prim, &mut model.notes);
             model.links.push(link);
+            colliders.push(Colliders { body: is_computable.then_some(prim), shapes: Vec::new() });
         }
         let body = stage.body_around(k).filter(|_| !prim.is_abstract);
-        let link = body.and_then(|body| links.get(&body)).and_then(|&link| model.links.get_mut(link));
-        let Some(link) = link else { continue };
-        changing::of_shape(prim, &link.name.text, &mut model.notes);
+        let index = body.and_then(|body| links.get(&body)).copied();
+        let link = index.and_then(|link: usize| Some((model.links.get_mut(link)?, colliders.get_mut(link)?)));
+        let Some((link, own)) = link else {
+            unread::of(prim, &mut model.notes);
+            continue;
+        };
+        let changes = changing::of_shape(prim, &link.name.text, &mut model.notes);
         let frame = Pose::new(link.pose.position, link.pose.rotation);
-        link.geometry.extend(shape::geometry(&stage, k, prim, &frame));
-        if !stage.is_body(k) && body::has_mass(prim) && link.inertial.is_none() {
-            link.from_geometry = true;
-            link.computed = Some(Err("the masses of its shapes are not added".to_owned()));
+        let is_collider = applies(prim, "PhysicsCollisionAPI") && !prim.is_off("physics:collisionEnabled");
+        match shape::geometry(&stage, k, prim, &frame) {
+            Some(geometry) => {
+                if is_collider {
+                    own.shapes.push((k, link.geometry.len()));
+                }
+                link.geometry.push(geometry);
+            }
+            None if is_collider => own.without_shape(prim, link),
+            None => {}
         }
+        if is_collider && changes {
+            own.without_shape(prim, link);
+        }
+        if let Some(why) = unread::of(prim, &mut model.notes) {
+            own.body = None;
+            if is_collider && link.inertial.is_none() {
+                link.computed = Some(Err(why));
+            }
+        }
+        if !stage.is_body(k) && body::has_mass(prim) {
+            let changes = changing::of_mass(prim, &body::ATTRIBUTES, &mut model.notes);
+            if changes.is_some() {
+                own.body = None;
+            } else if !is_collider {
+                body::ignored(prim, &mut model.notes);
+            }
+        }
+    }
+    for (link, own) in model.links.iter_mut().zip(&colliders) {
+        own.compute(&stage, link, &mut model.notes);
     }
     let mut path_bytes = 0;
     for prim in layer.prims.iter().filter(|prim| !prim.is_abstract) {
@@ -72,7 +169,7 @@ pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentErro
         }
         let parent = joint.parent.as_ref().map_or(0, |parent| parent.text.len());
         path_bytes += joint.name.text.len() + joint.child.text.len() + parent;
-        require_short(path_bytes, text.len(), prim.span.clone())?;
+        require_short(path_bytes, bytes, prim.span.clone())?;
         model.joints.push(joint);
     }
     Ok(())
@@ -164,6 +261,13 @@ impl<'l> Stage<'l> {
 
     fn body_around(&self, prim: usize) -> Option<usize> {
         self.bodies.get(prim).copied().flatten()
+    }
+
+    /// Returns the pose of a prim in the frame of its body.
+    fn pose_in_body(&self, prim: usize) -> Option<Pose> {
+        let (_, body) = self.place(self.body_around(prim)?).scaled_pose()?;
+        let (_, own) = self.place(prim).scaled_pose()?;
+        Some(body.inverse().then(&own))
     }
 
     fn place(&self, prim: usize) -> Affine {

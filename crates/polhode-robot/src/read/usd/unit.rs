@@ -2,7 +2,8 @@
 
 use polhode_source::{ContentError, ContentErrorKind};
 
-use super::layer::{Layer, Value};
+use super::layer::Layer;
+use super::value::Value;
 use crate::model::{Note, Number};
 
 /// Units of a layer in SI.

@@ -5,7 +5,8 @@
 //!
 //! Source: openusd.org, `UsdGeomXformable`.
 
-use super::layer::{Prim, Value};
+use super::layer::Prim;
+use super::value::Value;
 use crate::model::{Number, Pose};
 use crate::pose::{about, dot, product, unit};
 
@@ -45,6 +46,14 @@ impl Affine {
     pub(super) fn is_mirrored(&self) -> bool {
         let [[a, b, c], [d, e, f], [g, h, i]] = self.linear;
         a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) < 0.0
+    }
+
+    /// Returns true if it does more than turn and move.
+    pub(super) fn is_scaled(&self) -> bool {
+        self.is_mirrored()
+            || self
+                .scaled_pose()
+                .is_none_or(|(scale, _)| scale.iter().any(|factor| (factor - 1.0).abs() > 1e-5))
     }
 
     fn inverse(&self) -> Option<Self> {

@@ -201,7 +201,7 @@ fn extent(solids: impl Iterator<Item = Solid>) -> f64 {
 }
 
 /// Returns words for an equivalent box that is much larger than shapes of this extent;
-/// `None` for one that can be drawn beside them.
+/// `None` for one that can be drawn with them.
 fn beyond(solid: &Solid, extent: f64) -> Option<String> {
     let reach = |half: &[f64; 3]| half.iter().map(|x| x * x).sum::<f64>().sqrt();
     let edge = 2.0 * solid.halves.iter().map(reach).fold(0.0, f64::max);

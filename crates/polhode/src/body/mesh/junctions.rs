@@ -6,7 +6,6 @@ use super::close_pairs::distance;
 use super::edges::{Edges, end_of, opposite, start_of};
 use super::threads::Threads;
 use super::weld::Welded;
-use super::weld_near::boundary_vertices;
 
 /// Splits of boundary edges at vertices near them.
 #[derive(Debug, Default)]
@@ -148,4 +147,14 @@ impl Grid {
 
 fn ends(exact: &Welded, half: u32) -> [[f64; 3]; 2] {
     [start_of(&exact.corners, half), end_of(&exact.corners, half)].map(|v| exact.points[v as usize])
+}
+
+/// Returns the vertices at edges of one triangle, ascending.
+pub(super) fn boundary_vertices(exact: &Welded, boundary: &[u32]) -> Vec<u32> {
+    let ends =
+        boundary.iter().flat_map(|&half| [start_of(&exact.corners, half), end_of(&exact.corners, half)]);
+    let mut vertices: Vec<u32> = ends.collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    vertices
 }

@@ -3,10 +3,10 @@
 use super::close_pairs::{ClosePairs, distance};
 use super::clusters::{across, clusters};
 use super::edges::{Edges, end_of, start_of};
+use super::junctions::boundary_vertices;
 use super::patches::{join, root};
 use super::threads::Threads;
 use super::weld::Welded;
-use super::weld_near::boundary_vertices;
 use super::{ClosedMesh, TriangleMesh};
 
 /// Weld that closes a mesh: [`TriangleMesh::closing_weld`].

@@ -3,8 +3,8 @@
 use super::TriangleMesh;
 use super::close_pairs::{ClosePairs, distance};
 use super::clusters::{across, clusters, mean};
-use super::edges::{Edges, end_of, start_of};
-use super::junctions::Junctions;
+use super::edges::Edges;
+use super::junctions::{Junctions, boundary_vertices};
 use super::threads::Threads;
 use super::weld::{NONE, Welded, is_proper};
 use crate::body::error::{BodyError, positive};
@@ -156,16 +156,6 @@ impl TriangleMesh {
 }
 
 const TOLERANCE: &str = "the tolerance of a weld";
-
-/// Returns the vertices at edges of one triangle, ascending.
-pub(super) fn boundary_vertices(exact: &Welded, boundary: &[u32]) -> Vec<u32> {
-    let ends =
-        boundary.iter().flat_map(|&half| [start_of(&exact.corners, half), end_of(&exact.corners, half)]);
-    let mut vertices: Vec<u32> = ends.collect();
-    vertices.sort_unstable();
-    vertices.dedup();
-    vertices
-}
 
 /// Returns a bound of the volume swept by triangles whose vertices move by up to d = `by`: ∫₀¹ d
 /// A(s) ds. The area A(s) is at most |u × v|/2 + s d (|u| + |v|) + 2 s² d², where u and v are the

@@ -169,3 +169,25 @@ fn sdf_with_auto_inertia_has_the_inertia_of_its_collisions() {
     let text = stdout(&scratch.run(&["check", "auto.sdf"]));
     assert!(text.contains("[inertia.computed]") && text.contains("2.71 kg"), "{text}");
 }
+
+#[test]
+fn invalid_links_are_left_out_and_listed_on_request() {
+    let scratch = Scratch::new("robot-skip");
+    let urdf = example("robots/bad-arm.urdf");
+    let lump = ["inertia", &urdf, "--lump", "all"];
+    let error = refused(&scratch.run(&lump), 2);
+    assert!(error.contains("upper_arm") && !error.contains("camera"), "{error}");
+    let report = parsed(&scratch.run(&[&lump[..], &["--skip-invalid", "--json"]].concat()));
+    assert_eq!(report["source"]["links"], json!(["base", "hand"]));
+    assert!((number(&report["mass"]) - 3.9).abs() < 1e-15);
+    let left_out = report["findings"].as_array().unwrap().iter();
+    let left_out: Vec<&str> = left_out
+        .filter(|finding| finding["code"] == "lump.left_out")
+        .filter_map(|finding| finding["message"].as_str())
+        .collect();
+    for (message, name) in left_out.iter().zip(["upper_arm", "forearm", "camera"]) {
+        assert!(message.contains(name), "{message}");
+    }
+    assert_eq!(left_out.len(), 3);
+    refused(&scratch.run(&["inertia", &urdf, "--link", "base", "--skip-invalid"]), 2);
+}

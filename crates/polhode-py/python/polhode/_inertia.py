@@ -316,7 +316,7 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             "weld": _beside_mesh("weld", options["weld"]),
             "fill": _beside_mesh("fill", options["fill"]),
             "close_within": _share("close_within", options["close_within"]),
-            "print": None if options["walls"] is None else (_arrays.positive("walls", options["walls"]), _share("infill", options["infill"])),
+            "print": _print(options["walls"], options["infill"]),
             "union": bool(options["union"]),
             "check": options["check"] is None,
             "parts": of_parts(options["parts"]),
@@ -378,6 +378,12 @@ def _beside_mesh(name: str, length: str | float | None) -> str | None:
 def _share(name: str, share: str | float | None) -> str | None:
     """Returns a share such as ``"5%"`` or ``0.05`` as text."""
     return share if share is None or isinstance(share, str) else repr(_arrays.number(name, share))
+
+
+def _print(walls: float | None, infill: str | float | None) -> tuple[float, str] | None:
+    """Returns the thickness of walls, m, and the share of the infill."""
+    share = _share("infill", infill)
+    return None if walls is None or share is None else (_arrays.positive("walls", walls), share)
 
 
 def _unit(unit: str | float | None, name: str, of_mass: bool) -> float | None:

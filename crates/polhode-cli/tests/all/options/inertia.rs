@@ -143,7 +143,7 @@ static INERTIA: Subcommand = Subcommand {
             &["holed", "torn holed", "holed again", "holed unnamed"],
             &[],
         ),
-        choice("--walls", &["--walls", "2 cm"], MESHES, &["--infill"]),
+        choice("--walls", &["--walls", "0.1 m"], MESHES, &["--infill"]),
         choice("--infill", &["--infill", "15%"], MESHES, &["--walls"]),
         choice(
             "--union",
@@ -198,6 +198,7 @@ static INERTIA: Subcommand = Subcommand {
     independent: &[
         ("--xacro", "*", "tried in xacro.rs: the text is replaced before all else"),
         ("--xacro-arg", "*", "tried in xacro.rs: the text is replaced before all else"),
+        ("--skip-invalid", "*", "tried in robot.rs: it changes only lumps of a robot with an invalid link"),
         ("--mass", "--mass-unit", "refused: the mass is shared by points that have none of their own"),
         ("--only", "--link", "tried on different models; both choose links"),
         ("--only", "--table", "tried on different models; the table is of the new model"),

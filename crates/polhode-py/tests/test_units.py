@@ -28,8 +28,8 @@ PINT = pint.UnitRegistry()
 
 #: What is no quantity of one kind: names, files, tables, switches, counts, functions; and covariances, whose elements are of several.
 NEITHER = set(
-    """a allow_unphysical arguments ax axes_names b basis bias body center changes check clock columns configuration contact convention decimal derivatives drag draws edge ends
-    engine error events field findings flight flights folder formalism format geometry gimbals hull isotopes joint joints kind knobs link map material mass_history member members mesh method molecule
+    """a allow_unphysical arguments ax axes_names b basis bias body center changes check clock close_within columns configuration contact convention decimal derivatives drag draws edge ends
+    engine error events field findings flight flights folder formalism format geometry gimbals hull infill isotopes joint joints kind knobs link map material mass_history member members mesh method molecule
     motion name nearest numbers of_number omega_axes on only orbit out output parameters parts path pendulum plan pointings prescribed products progress quaternion
     resume roots rows run scale scenario scenarios seed sense shaft skew start stop subtree symbols tests threads title torques triangles union wheels workers wrench
     wrench_covariance force format questions replicates samples sampling trajectories vary""".split()

@@ -174,7 +174,7 @@ else:
     #: Present names of functions by former ones; results had been here too.
     _FORMER = {"Event": "results.EventOccurrence", "spin": "spins_from_periods", "torque": "required_torque"}
     #: Results that have never been here.
-    _NEWER = {"EventOccurrence", "Comparison", "ModelDifference", "LinkInertial", "WrittenInertials"}
+    _NEWER = {"EventOccurrence", "Comparison", "ModelDifference", "LinkInertial", "WrittenInertials", "NearestPossible", "NearestTensor"}
     _imported = _on_first_use(__name__, _HOMES)
 
     def __getattr__(name: str) -> object:

@@ -66,12 +66,17 @@ fn parsed(text: &str) -> Result<f64, String> {
 /// Returns the smallest percentage of at most two digits, and at least 0.01%, that is not below a
 /// share.
 pub(crate) fn percent_above(share: f64) -> String {
-    let percent = (100.0 * share * (1.0 + 1e-9)).max(0.01);
+    let percent = (100.0 * share).max(0.01);
     let step = 10_f64.powi(percent.log10().floor() as i32 - 1);
     let decimals = usize::from(step < 1.0) * (-step.log10()).round().max(0.0) as usize;
-    let text = format!("{:.decimals$}", (percent / step).ceil() * step);
-    let trimmed = if decimals > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    format!("{trimmed}%")
+    let written = |steps: f64| {
+        let text = format!("{:.decimals$}", steps * step);
+        let trimmed = if decimals > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+        format!("{trimmed}%")
+    };
+    let below = (percent / step).floor();
+    let is_enough = |text: &String| parsed(text).is_ok_and(|value| value >= share);
+    [below, below + 1.0].map(written).into_iter().find(is_enough).unwrap_or_else(|| written(below + 2.0))
 }
 
 #[cfg(test)]

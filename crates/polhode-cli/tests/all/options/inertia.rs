@@ -174,7 +174,7 @@ static INERTIA: Subcommand = Subcommand {
         choice("--link", &["--link", "forearm"], &["robot"], &[]),
         choice("--lump", &["--lump", "all"], &["robot"], &[]),
         choice("--subtree", &["--subtree", "upper_arm"], &["robot"], &[]),
-        choice("--skip-invalid", &["--skip-invalid"], &["robot"], &["--lump"]),
+        choice("--skip-invalid", &["--skip-invalid"], &["robot"], &["+--lump"]),
         choice("--table", &["--table"], &["robot"], &[]),
         choice("--joint", &["--joint", "elbow=30 deg"], &["robot"], &["--lump"]),
         choice("--spacing", &["--spacing", "1 mm, 2 mm, 3 mm"], &["grid"], &[]),

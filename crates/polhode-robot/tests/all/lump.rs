@@ -390,7 +390,7 @@ fn links_without_a_body_are_left_out_by_name_and_the_others_are_summed() {
     // A group of which nothing is left is named in the first body.
     let groups = lump_valid(&bad, Lumping::Fixed, &[]).unwrap();
     assert_eq!((groups.len(), groups[0].left_out.len()), (1, 1));
-    // Without any valid link there is no body.
+    // Without any valid link the first error is returned.
     assert!(lump_valid(&model("9", "9"), Lumping::Subtree("b"), &[]).is_err());
     assert_eq!(lump_valid(&model("0.3", "0.25"), Lumping::All, &[]).unwrap()[0].left_out, []);
 }

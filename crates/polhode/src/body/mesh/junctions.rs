@@ -105,7 +105,7 @@ impl Grid {
     }
 
     /// Returns the vertices within `reach` of the interior of an edge, in their order along it.
-    /// Vertices of its triangle, and those within `reach` of its ends, are no such vertices.
+    /// Vertices of its triangle, and those within `reach` of its ends, are left out.
     fn near(&self, exact: &Welded, half: u32, reach: f64) -> Vec<Near> {
         let [a, b] = ends(exact, half);
         let own = exact.corners[half as usize / 3];

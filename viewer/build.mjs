@@ -115,11 +115,14 @@ async function smallest(text) {
   return zopfli.gzipAsync(Buffer.from(text), { numiterations: 15 });
 }
 
-/** The interactive page: its parts are compressed, in base 116; `src/live/boot.ts` and `worker.ts` unpack them. */
+/**
+ * The interactive page, in UTF-16: its parts are compressed, in base 32768; `src/live/boot.ts` and `worker.ts` unpack them. A browser knows the encoding
+ * from the byte order mark, whatever a server says of it.
+ */
 async function interactive() {
   const codemirror = version("@codemirror/view");
-  const { text116 } = await imported("src/live/base116.ts");
-  const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}" data-length="${bytes.length}">${text116(bytes)}</script>`;
+  const { text32768 } = await imported("src/live/base32768.ts");
+  const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}" data-length="${bytes.length}">${text32768(bytes)}</script>`;
   const viewer = {
     style: await style("src/live/live.css"),
     script: await script("src/live/main.ts", codemirror),
@@ -138,7 +141,9 @@ async function interactive() {
   page = put(page, "<!--banner-->", licences.replace('from viewer/ by "npm run build"', `with the engine, ${built}`));
   page = put(page, "<!--style-->", '<link rel="icon" href="data:,">\n<style id="starting">body > * { visibility: hidden } #problem { visibility: visible }</style>');
   page = put(page, "<!--polhode-data-->", "<!--polhode-files-->");
-  return { [resolve(given.page)]: put(page, "<!--script-->", parts.join("\n")) };
+  page = put(page, '<meta charset="utf-8">\n', "");
+  page = put(page, "<!--script-->", parts.join("\n"));
+  return { [resolve(given.page)]: Buffer.from(`\ufeff${page}`, "utf16le") };
 }
 
 for (const [path, text] of Object.entries(built)) {

@@ -5,6 +5,7 @@ import { delimiter, join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 import { pageOf } from "./page.mjs";
+import * as standalone from "./standalone.mjs";
 
 /** Pages and screenshots of this run. */
 export const folder = mkdtempSync(join(tmpdir(), "polhode-viewer-"));
@@ -55,9 +56,9 @@ const SERVED = /^http:\/\/127\.0\.0\.1:\d+\/[^/]+\/$/;
 
 /** Answers with the page in POLHODE_PAGE, which may be newer than that in the command, as the command would serve it. */
 async function serveFresh(route) {
-  const page = readFileSync(process.env.POLHODE_PAGE, "utf8");
-  const body = page.replace("connect-src 'none'", "connect-src 'self'").replace("<!--polhode-files-->", '<meta name="polhode-files" content="files">');
-  await route.fulfill({ body, contentType: "text/html" });
+  const page = standalone.read();
+  const text = page.replace("connect-src 'none'", "connect-src 'self'").replace("<!--polhode-files-->", '<meta name="polhode-files" content="files">');
+  await route.fulfill({ body: standalone.bytesOf(text), contentType: "text/html" });
 }
 
 async function newPage(browser, { smooth = false, ...options }) {

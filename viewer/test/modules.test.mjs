@@ -608,20 +608,18 @@ test("the curve of an orbit is its conic, whole or as far as the motion goes, in
   }
 });
 
-test("base 116 gives back every length of bytes, and its text has no meaning in HTML", async () => {
-  const { DIGITS, bytesOf116, text116 } = await load("live/base116.ts");
-  assert.equal(new Set(DIGITS).size, 116);
-  for (const length of [0, 1, 2, 3, 4, 5, 6, 7, 1023]) {
+test("base 32768 gives back every length of bytes, and its text has no meaning in HTML", async () => {
+  const { bytesOf32768, text32768 } = await load("live/base32768.ts");
+  for (const length of [...Array(32).keys(), 1023]) {
     const bytes = Uint8Array.from({ length }, (_, k) => (k * 151 + 255) % 256);
-    const text = text116(bytes);
-    assert.match(text, /^[^\0\r<\u007f-\uffff]*$/);
-    assert.equal(text.length, 7 * Math.ceil(length / 6));
-    assert.deepEqual(bytesOf116(text, length), bytes);
+    const text = text32768(bytes);
+    assert.match(text, /^[\u4000-\ubfff]*$/);
+    assert.equal(text.length, Math.ceil((8 * length) / 15));
+    assert.deepEqual(bytesOf32768(text, length), bytes);
   }
-  // The largest group needs all digits: 116⁷ > 2⁴⁸ > 115⁷.
-  const largest = new Uint8Array(6).fill(255);
-  assert.deepEqual(bytesOf116(text116(largest), 6), largest);
-  assert.throws(() => bytesOf116("#####", 9), /5 characters are not 9 bytes/);
+  // The first digit has the first 15 bits; the last one ends in zeros.
+  assert.equal(text32768(Uint8Array.of(0x80, 0x03, 0xff)), String.fromCharCode(0x4000 + 0x4001, 0x4000 + 0x7fc0));
+  assert.throws(() => bytesOf32768("\u4000\u4000", 9), /2 characters are not 9 bytes/);
 });
 
 test("an answer of the engine is JSON, or JSON and rows", async () => {

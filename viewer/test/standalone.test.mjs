@@ -6,7 +6,8 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { emptyPage, folder, launch } from "./browser.mjs";
 import { example } from "./live-server.mjs";
-import { path as pageFile } from "./standalone.mjs";
+import { load } from "./load.mjs";
+import * as standalone from "./standalone.mjs";
 
 let browser;
 before(async () => {
@@ -17,7 +18,7 @@ after(() => browser?.close());
 /** The page from disk; `problems` are its errors and its requests. */
 async function open(options = {}, fragment = "") {
   const { page, problems, close } = await emptyPage(browser, { viewport: { width: 1280, height: 800 }, ...options });
-  const address = pathToFileURL(pageFile).href;
+  const address = pathToFileURL(standalone.path).href;
   const watch = (request) => {
     if (request.url().split("#")[0] !== address && !/^(blob|data):/.test(request.url())) problems.push(`request: ${request.url()}`);
   };
@@ -55,6 +56,20 @@ test("the page from disk shows the example, and a knob changes its motion, witho
   await close();
 });
 
+test("a host that states another encoding serves the same page", async () => {
+  const { page, problems, close } = await emptyPage(browser, { viewport: { width: 1280, height: 800 } });
+  const address = "http://page.test/polhode.html";
+  await page.route(address, (route) => route.fulfill({ body: standalone.bytesOf(standalone.read()), contentType: "text/html; charset=utf-8" }));
+  await page.goto(address);
+  await page.waitForSelector("body.live:not(.waiting)");
+  await page.waitForFunction(() => window.polhodeLive.isSettled);
+  assert.equal(await page.evaluate(() => document.characterSet), "UTF-16LE");
+  assert.match(await text(page), /ω|°|T-handle/);
+  assert.deepEqual(problems, []);
+  await page.unroute(address);
+  await close();
+});
+
 /** Opens the page with a worker that never answers. */
 async function openWithoutEngine(fragment) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
@@ -64,7 +79,7 @@ async function openWithoutEngine(fragment) {
       terminate() {}
     };
   });
-  await page.goto(pathToFileURL(pageFile).href + fragment);
+  await page.goto(pathToFileURL(standalone.path).href + fragment);
   await page.waitForSelector("body.live.waiting");
   return page;
 }
@@ -178,9 +193,11 @@ test("files in the page are opened", async () => {
   const head = Buffer.alloc(8);
   head.writeBigUInt64LE(BigInt(padded.length));
   const { deflateSync } = await import("node:zlib");
-  const pack = deflateSync(Buffer.concat([head, Buffer.from(padded + scenario)])).toString("base64");
+  const { text32768 } = await load("live/base32768.ts");
+  const pack = deflateSync(Buffer.concat([head, Buffer.from(padded + scenario)]));
+  const script = `<script type="application/octet-stream" id="polhode-files" data-length="${pack.length}">${text32768(pack)}</script>`;
   const file = join(folder, "ball.html");
-  writeFileSync(file, readFileSync(pageFile, "utf8").replace("<!--polhode-files-->", `<script type="application/octet-stream" id="polhode-files">${pack}</script>`));
+  writeFileSync(file, standalone.bytesOf(standalone.read().replace("<!--polhode-files-->", script)));
   const { page, problems, close } = await emptyPage(browser, { viewport: { width: 1280, height: 800 } });
   await page.goto(pathToFileURL(file).href);
   await page.waitForSelector("body.live:not(.waiting)");

@@ -30,7 +30,7 @@ pub(crate) struct Answer {
 impl Answer {
     pub(crate) fn page(html: Arc<Vec<u8>>) -> Self {
         let policy = "frame-ancestors 'none'";
-        Self { status: 200, kind: "text/html; charset=utf-8", policy, etag: None, body: html }
+        Self { status: 200, kind: "text/html; charset=utf-16le", policy, etag: None, body: html }
     }
 
     pub(crate) fn pack(bytes: Arc<Vec<u8>>, etag: String) -> Self {

@@ -1,9 +1,9 @@
 /**
  * Start of the page: unpacks its style, its script and the worker's script, which the page contains
- * as gzip in base 116. A worker unpacks the module of the engine meanwhile.
+ * as gzip in base 32768. A worker unpacks the module of the engine meanwhile.
  */
 import type { PageData } from "../data";
-import { bytesOf116 } from "./base116";
+import { bytesOf32768 } from "./base32768";
 import type { Built, Packed } from "./work";
 
 /** Parts of the viewer, as they are packed. */
@@ -29,7 +29,7 @@ function packed(id: string): Packed {
 
 async function viewer(): Promise<Viewer> {
   const { text, length } = packed("polhode-viewer");
-  return new Response(new Blob([bytesOf116(text, length)]).stream().pipeThrough(new DecompressionStream("gzip"))).json() as Promise<Viewer>;
+  return new Response(new Blob([bytesOf32768(text, length)]).stream().pipeThrough(new DecompressionStream("gzip"))).json() as Promise<Viewer>;
 }
 
 /** Compiles the module in a worker of its own. */

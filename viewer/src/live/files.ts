@@ -2,8 +2,8 @@
  * Files that the page begins with: those in the page, or those that `polhode live` serves and
  * watches.
  */
-import { bytesOf } from "../base64";
 import { inflated } from "../packed";
+import { bytesOf32768 } from "./base32768";
 import { engine } from "./engine";
 import type { DocumentInfo } from "./protocol";
 
@@ -32,7 +32,7 @@ export class Files {
 
   /** True if the page has files of its own, or a server of some. */
   get areGiven(): boolean {
-    return this.#address !== null || packText() !== "";
+    return this.#address !== null || packed() !== null;
   }
 
   /** Gives the files to the engine, and opens them. Without any, the example is opened. */
@@ -81,8 +81,8 @@ export class Files {
   /** Returns the files of the page or of the server; null if there are none, or none has changed. */
   async #pack(): Promise<Pack | null> {
     if (this.#address === null) {
-      const text = packText();
-      return text === "" ? null : read(await inflated(bytesOf(text)));
+      const pack = packed();
+      return pack ? read(await inflated(pack)) : null;
     }
     const answer = await fetch(this.#address, { cache: "no-store", headers: this.#tag === "" ? {} : { "If-None-Match": this.#tag } });
     if (answer.status === 304) return null;
@@ -93,8 +93,11 @@ export class Files {
   }
 }
 
-/** Returns the files in the page, deflated, in base64; "" if there are none. */
-const packText = (): string => document.getElementById("polhode-files")?.textContent.trim() ?? "";
+/** Returns the files in the page, deflated; null if there are none. */
+function packed(): Uint8Array<ArrayBuffer> | null {
+  const place = document.getElementById("polhode-files");
+  return place && bytesOf32768(place.textContent, Number(place.dataset.length));
+}
 
 /** Reads a pack: the length of the JSON as a u64, the JSON, and the files one after another. */
 async function read(pack: Blob): Promise<Pack> {

@@ -1,6 +1,6 @@
 /** Messages between the page and the worker with the engine. */
 
-/** Bytes of the page in base 116. */
+/** Bytes of the page in base 32768. */
 export interface Packed {
   text: string;
   length: number;

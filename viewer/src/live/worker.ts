@@ -4,7 +4,7 @@
  */
 import { XzReadableStream } from "xz-decompress";
 
-import { bytesOf116 } from "./base116";
+import { bytesOf32768 } from "./base32768";
 import type { Built, FromWorker, Packed, ToWorker } from "./work";
 
 /** Functions of the module. */
@@ -34,7 +34,7 @@ function need(): Exports {
 /** Compiles the module while it is unpacked. */
 async function built({ text, length }: Packed): Promise<Built> {
   try {
-    const bytes = new XzReadableStream(new Blob([bytesOf116(text, length)]).stream());
+    const bytes = new XzReadableStream(new Blob([bytesOf32768(text, length)]).stream());
     return { module: await WebAssembly.compileStreaming(new Response(bytes, { headers: { "Content-Type": "application/wasm" } })) };
   } catch (problem) {
     return { problem: String(problem) };

@@ -154,8 +154,17 @@ impl Answer {
     }
 
     pub(crate) fn text(&self) -> String {
+        if self.headers["content-type"].ends_with("utf-16le") {
+            return utf16(&self.body);
+        }
         String::from_utf8_lossy(&self.body).into_owned()
     }
+}
+
+/// Returns the text of UTF-16, little-endian.
+pub(crate) fn utf16(bytes: &[u8]) -> String {
+    let codes: Vec<u16> = bytes.chunks_exact(2).map(|two| u16::from_le_bytes([two[0], two[1]])).collect();
+    String::from_utf16(&codes).unwrap()
 }
 
 /// Returns the path of a file of the repository.

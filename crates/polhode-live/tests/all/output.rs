@@ -2,12 +2,11 @@
 
 use std::io::Read as _;
 
-use base64::prelude::{BASE64_STANDARD, Engine as _};
 use flate2::read::ZlibDecoder;
 use polhode_live::{LiveOptions, page};
 use serde_json::{Value, json};
 
-use crate::client::{Folder, Pack};
+use crate::client::{Folder, Pack, utf16};
 use crate::models::{SCENARIO, model};
 
 fn of(folder: &Folder, names: &[&str]) -> LiveOptions {
@@ -17,10 +16,16 @@ fn of(folder: &Folder, names: &[&str]) -> LiveOptions {
 
 /// Returns the text of a page and the pack in it.
 fn read(options: &LiveOptions) -> (String, Pack) {
-    let html = String::from_utf8(page(options).unwrap()).unwrap();
-    let begins = "<script type=\"application/octet-stream\" id=\"polhode-files\">";
+    let html = utf16(&page(options).unwrap());
+    let begins = "<script type=\"application/octet-stream\" id=\"polhode-files\" data-length=\"";
     let (_, rest) = html.split_once(begins).unwrap();
-    let packed = BASE64_STANDARD.decode(rest.split_once("</script>").unwrap().0).unwrap();
+    let (length, rest) = rest.split_once("\">").unwrap();
+    let (text, _) = rest.split_once("</script>").unwrap();
+    let bits =
+        text.encode_utf16().flat_map(|code| (0..15).rev().map(move |bit| code - 0x4000 >> bit & 1 == 1));
+    let bits: Vec<bool> = bits.collect();
+    let byte = |bits: &[bool]| bits.iter().fold(0, |byte, &bit| byte << 1 | u8::from(bit));
+    let packed: Vec<u8> = bits.chunks_exact(8).map(byte).take(length.parse().unwrap()).collect();
     let mut bytes = Vec::new();
     ZlibDecoder::new(&packed[..]).read_to_end(&mut bytes).unwrap();
     assert!(!String::from_utf8_lossy(&bytes).contains(std::env::temp_dir().to_str().unwrap()));

@@ -10,7 +10,7 @@ use crate::models::{SCENARIO, SOLID, model};
 fn the_page_requests_its_files_from_its_own_address() {
     let page = Page::open(&[]);
     let html = page.get("");
-    assert_eq!((html.status, html.headers["content-type"].as_str()), (200, "text/html; charset=utf-8"));
+    assert_eq!((html.status, html.headers["content-type"].as_str()), (200, "text/html; charset=utf-16le"));
     let text = html.text();
     assert!(
         text.contains("<meta name=\"polhode-files\" content=\"files\">")

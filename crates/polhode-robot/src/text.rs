@@ -135,11 +135,16 @@ impl CheckReport {
         }
         let measured = self.model.links.iter().zip(&self.geometry);
         let compared = measured
-            .filter(|(link, geometry)| link.inertial.is_some() && !geometry.volumes.is_empty())
+            .filter(|(link, _)| link.inertial.is_some())
+            .filter(|(_, geometry)| !geometry.volumes.is_empty() && !geometry.is_incomplete)
             .count();
+        let is_incomplete = self.geometry.iter().any(|geometry| geometry.is_incomplete);
         let are = if inertials == 1 { "is" } else { "are" };
         let possible = format!("{} {are} physically possible", counted(inertials, "inertial"));
         match (compared, inertials) {
+            (0, _) if is_incomplete => {
+                format!("{possible}; no geometry can be measured as a whole, so nothing was compared")
+            }
             (0, _) => format!("{possible}; without geometry, nothing was compared"),
             (1, 1) => format!("{possible} and agrees with its geometry"),
             (1, _) => format!("{possible}; 1 has geometry and agrees with it"),

@@ -13,11 +13,15 @@ use crate::files::{Files, Kind, Look, OpenFile};
 /// infinite.
 const LARGEST_STREAM: u64 = 1 << 30;
 
+/// Start of what Git LFS stores in place of a large file.
+const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
+
 const SHORTER: &str = "it became shorter while it was being read";
 
 /// Reads all bytes of a file; `written` is the path as the user wrote it.
 ///
-/// A folder gives an error, as does a file of more than `limit` bytes, before it fills the memory.
+/// A folder gives an error, as does a file of more than `limit` bytes, before it fills the memory,
+/// and a pointer of Git LFS.
 /// Insufficient memory is an error and does not end the process. A file that changes while it is
 /// read is an error.
 pub fn bytes(files: &dyn Files, path: &Path, written: &str, limit: u64) -> Result<Vec<u8>, FormatErrorKind> {
@@ -38,6 +42,10 @@ pub fn bytes(files: &dyn Files, path: &Path, written: &str, limit: u64) -> Resul
     let bytes = all(&mut *file, limit.saturating_add(1), &before).map_err(failed)?;
     if bytes.len() as u64 > limit {
         return Err(too_large());
+    }
+    if bytes.starts_with(LFS_POINTER) {
+        let why = "it is a Git LFS pointer, not the file itself: run git lfs pull in its repository";
+        return Err(failed(io::Error::new(io::ErrorKind::InvalidData, why)));
     }
     Ok(bytes)
 }

@@ -102,9 +102,10 @@ impl<'m> Body<'m> {
     }
 
     /// Returns the distance from the centre of mass to the farthest corner of the geometry's
-    /// bounds, m. It is an upper bound on the radius of gyration of a body within these bounds.
+    /// bounds, m; `None` if some shapes cannot be measured. It is an upper bound on the radius of
+    /// gyration of a body within these bounds.
     pub(super) fn reach(&self) -> Option<f64> {
-        let [low, high] = self.geometry.bounds?;
+        let [low, high] = self.geometry.bounds.filter(|_| !self.geometry.is_incomplete)?;
         let mut square = 0.0;
         for k in 0..3 {
             square += f64::max((low[k] - self.centre[k]).abs(), (high[k] - self.centre[k]).abs()).powi(2);

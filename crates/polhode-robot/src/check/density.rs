@@ -26,6 +26,10 @@ pub(super) fn check(
     // Closed meshes are preferred: they are more accurate.
     let Some(solid) = body.solids().min_by_key(|s| s.kind != VolumeKind::Closed) else { return };
     let density = body.mass / solid.volume;
+    // Shapes that cannot be measured may be nearly all of the body.
+    if body.geometry.is_incomplete && density > LEAST {
+        return;
+    }
     let is_frame = body.mass <= FRAME && (density < LEAST || held != Held::Free);
     let severity = if is_frame { Severity::Note } else { Severity::Suspect };
     let what = if solid.kind == VolumeKind::Closed { "its mesh" } else { "its shapes" };

@@ -93,3 +93,18 @@ fn the_page_of_the_book_is_the_table() {
         "book/rules.md is not the table: POLHODE_WRITE_RULES=1 cargo test -p polhode-robot writes it"
     );
 }
+
+/// A small collision shape beside a visual mesh that cannot be read is no evidence of the size.
+#[test]
+fn geometry_that_cannot_all_be_measured_does_not_accuse() {
+    let link = |visual: &str| {
+        format!(
+            "<robot name=\"r\"><link name=\"a\"><inertial><mass value=\"1.3\"/><inertia ixx=\"0.02\" iyy=\"0.03\" izz=\"0.04\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>\
+             <visual><geometry>{visual}</geometry></visual><collision><geometry><sphere radius=\"0.001\"/></geometry></collision></link></robot>"
+        )
+    };
+    let codes = |visual: &str| found(&link(visual)).iter().map(|finding| finding.code).collect::<Vec<_>>();
+    assert_eq!(codes("<mesh filename=\"gone.stl\"/>"), ["geometry.unreadable"]);
+    let small = codes("<sphere radius=\"0.002\"/>");
+    assert!(small.contains(&"density.implausible"), "{small:?}");
+}

@@ -296,3 +296,91 @@ fn mutated_files_do_not_end_the_process() {
         let _ = read(&[(name, &file)]);
     }
 }
+
+/// `openusd` 0.6 recurses without end for this, which no thread survives.
+#[test]
+fn a_prim_that_inherits_twice_is_refused() {
+    let inner = |kind: &str, arcs: &str| {
+        format!(
+            "def \"a\"\n{{\n    def \"r\"\n    {{\n        def \"y\"\n        {{\n        }}\n    }}\n}}\n\
+             def \"b\" ({kind} = </a>)\n{{\n    over \"r\" ({arcs})\n    {{\n    }}\n}}"
+        )
+    };
+    for arcs in ["inherits = </a/r>", "prepend specializes = [</other>, </a/r>]"] {
+        let error = texts(&[("robot.usda", &layer("", &inner("inherits", arcs)))]).unwrap_err();
+        let (said, hint) = (error.to_string(), error.hint().unwrap_or_default());
+        assert!(said.contains("</b/r>, which inherits </a/r> itself and by </b>"), "{said}");
+        assert!(hint.contains("</b> brings the same"), "{hint}");
+    }
+    texts(&[("robot.usda", &layer("", &inner("inherits", "inherits = </a/r/y>")))]).unwrap();
+}
+
+#[test]
+fn a_schema_that_a_layer_deletes_and_adds_is_applied() {
+    let body = |edits: &str| format!("over \"part\" ({edits})\n{{\n}}");
+    let both = "delete apiSchemas = [\"PhysicsMassAPI\", \"PhysicsRigidBodyAPI\"]\n\
+                prepend apiSchemas = [\"PhysicsMassAPI\", \"PhysicsRigidBodyAPI\"]";
+    for (edits, applied) in [
+        (both, true),
+        ("delete apiSchemas = [\"PhysicsMassAPI\", \"PhysicsRigidBodyAPI\"]", false),
+        ("apiSchemas = []", false),
+        ("append apiSchemas = [\"PhysicsCollisionAPI\"]", true),
+    ] {
+        let root = layer("subLayers = [@part.usda@]", &body(edits));
+        let model = texts(&[("robot.usda", &root), ("part.usda", &part())]).unwrap();
+        let ignored = model.notes.iter().any(|note| note.message.contains("PhysicsMassAPI is not applied"));
+        assert_eq!(ignored, !applied, "{edits}: {:?}", model.notes);
+    }
+}
+
+/// Whether its schemas are applied may be stated in the layer that is not read.
+#[test]
+fn an_over_of_a_prim_that_is_not_read_is_not_accused() {
+    let prims = "def \"bottle\" (references = @gone.usda@)\n{\n    over \"entity\"\n    {\n        float physics:mass = 0.5\n    }\n}";
+    let model = texts(&[("robot.usda", &layer("", prims))]).unwrap();
+    assert!(model.notes.iter().all(|note| note.severity == Severity::Note), "{:?}", model.notes);
+    let class = "class \"Api\"\n{\n    uniform int mjc:compiler:inertiaGroupRange:max = 5\n}";
+    assert_eq!(texts(&[("robot.usda", &layer("", class))]).unwrap().notes, []);
+}
+
+/// The shapes that are read may be a small part of the body.
+#[test]
+fn shapes_beside_content_that_is_not_read_prove_nothing() {
+    let prims = |more: &str| {
+        format!(
+            "def Xform \"base\" ({SCHEMAS})\n{{\n    {BODY}    def Sphere \"site\"\n    {{\n        double radius = 0.005\n    }}\n{more}}}"
+        )
+    };
+    let codes = |more: &str| {
+        let model = texts(&[("robot.usda", &layer("", &prims(more)))]).unwrap();
+        check(&model).iter().map(|finding| finding.code).collect::<Vec<_>>()
+    };
+    assert!(codes("").contains(&"density.implausible"));
+    let found = codes("    def \"visuals\" (references = @gone.usda@)\n    {\n    }\n");
+    assert!(found.contains(&"read.include") && found.contains(&"geometry.unreadable"), "{found:?}");
+    assert!(!found.contains(&"density.implausible") && !found.contains(&"gyration.too_large"), "{found:?}");
+}
+
+#[test]
+fn a_pointer_of_git_lfs_is_named() {
+    let pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+    let error = texts(&[("robot.usda", pointer)]).unwrap_err();
+    assert!(error.to_string().contains("Git LFS pointer, not the file itself: run git lfs pull"), "{error}");
+    let root = layer("", "def \"arm\" (references = @mesh.usd@)\n{\n}");
+    let model = texts(&[("robot.usda", &root), ("mesh.usd", pointer)]).unwrap();
+    let note = noted(&model, "read.include");
+    assert!(note.message.contains("git lfs pull"), "{}", note.message);
+}
+
+#[test]
+fn a_scale_that_resolves_units_makes_them_a_note() {
+    let other = part().replace("metersPerUnit = 1", "metersPerUnit = 0.01");
+    let arm = |ops: &str| layer("", &format!("def Xform \"arm\" (references = @part.usda@)\n{{\n{ops}}}"));
+    let severity = |ops: &str| {
+        let model = texts(&[("robot.usda", &arm(ops)), ("part.usda", &other)]).unwrap();
+        noted(&model, "read.unit").severity
+    };
+    assert_eq!(severity(""), Severity::Suspect);
+    let scale = "double3 xformOp:scale:unitsResolve = (0.01, 0.01, 0.01)\nuniform token[] xformOpOrder = [\"xformOp:scale:unitsResolve\"]\n";
+    assert_eq!(severity(scale), Severity::Note);
+}

@@ -48,6 +48,8 @@ pub(super) struct Prim {
     /// True for a `class`, which only provides opinions to others, for a variant, for the
     /// descendants of both, and for inactive prims.
     pub(super) is_abstract: bool,
+    /// True for an `over` of a prim that a layer may define which is not read.
+    pub(super) is_over: bool,
 }
 
 /// Element whose `}` has not been read.
@@ -207,6 +209,7 @@ impl Layer {
             metadata,
             properties: HashMap::new(),
             is_abstract,
+            is_over: false,
         });
         let last = self.prims.len().checked_sub(1);
         self.note_twice(reader, last);

@@ -35,7 +35,7 @@ use polhode_source::{ContentError, FormatError};
 
 use super::ReadOptions;
 use crate::finding::Severity;
-use crate::model::{ModelFormat, Note, Pose, RobotModel};
+use crate::model::{Geometry, GeometryShape, ModelFormat, Note, Pose, RobotModel, Role};
 use layer::{Layer, Prim, require_short};
 use mass::Colliders;
 use unit::Units;
@@ -114,7 +114,9 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
     for (k, prim) in layer.prims.iter().enumerate() {
         if stage.is_body(k) {
             links.insert(k, model.links.len());
-            body::unapplied(prim, &mut model.notes);
+            if !prim.is_over {
+                body::unapplied(prim, &mut model.notes);
+            }
             let (link, is_computable) = body::link(&stage, k, prim, &mut model.notes);
             model.links.push(link);
             colliders.push(Colliders { body: is_computable.then_some(prim), shapes: Vec::new() });
@@ -123,7 +125,9 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
         let index = body.and_then(|body| links.get(&body)).copied();
         let link = index.and_then(|link: usize| Some((model.links.get_mut(link)?, colliders.get_mut(link)?)));
         let Some((link, own)) = link else {
-            unread::of(prim, &mut model.notes);
+            if !prim.is_abstract {
+                unread::of(prim, &mut model.notes);
+            }
             continue;
         };
         let changes = changing::of_shape(prim, &link.name.text, &mut model.notes);
@@ -157,6 +161,7 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
             }
         }
     }
+    unread_shapes(model);
     for (link, own) in model.links.iter_mut().zip(&colliders) {
         own.compute(&stage, link, &mut model.notes);
     }
@@ -173,6 +178,25 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
         model.joints.push(joint);
     }
     Ok(())
+}
+
+/// Adds a shape without a size to each body with content that is not read: its other shapes may be
+/// a small part of it.
+fn unread_shapes(model: &mut RobotModel) {
+    let links: HashMap<_, _> =
+        model.links.iter().enumerate().map(|(k, link)| (link.name.text.clone(), k)).collect();
+    let mut seen = HashSet::new();
+    for note in model.notes.iter().filter(|note| note.code == "read.include") {
+        let ancestors = note.subject.match_indices('/').skip(1).map(|(at, _)| &note.subject[..at]);
+        let around =
+            std::iter::once(note.subject.as_str()).chain(ancestors.collect::<Vec<_>>().into_iter().rev());
+        let Some(k) = around.filter_map(|path| links.get(path)).next().filter(|k| seen.insert(**k)) else {
+            continue;
+        };
+        let shape = GeometryShape::Other("content that is not read".to_owned());
+        let geometry = Geometry { span: note.span.clone(), role: Role::Visual, pose: Pose::IDENTITY, shape };
+        model.links.get_mut(*k).into_iter().for_each(|link| link.geometry.push(geometry.clone()));
+    }
 }
 
 /// Reports repeated statements about bodies, joints, shapes and units. The last one counts, as in

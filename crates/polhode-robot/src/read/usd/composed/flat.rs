@@ -79,13 +79,16 @@ pub(super) fn flattened(layers: &Arc<Layers>, places: &Places) -> Result<(Layer,
     }
     let errors = notes::of_errors(&stage, layers, places)?;
     // An `over` alone defines no prim. A layer that is not read may define it.
-    if !errors.iter().any(|note| note.code == "read.include") {
-        for k in undefined {
-            layer.prims.get_mut(k).into_iter().for_each(|prim| prim.is_abstract = true);
+    let may_be_defined = errors.iter().any(|note| note.code == "read.include");
+    for k in undefined {
+        if let Some(prim) = layer.prims.get_mut(k) {
+            (prim.is_over, prim.is_abstract) = (may_be_defined, !may_be_defined);
         }
     }
     notes.extend(errors);
-    notes.extend(notes::of_units(&stage, layers, places));
+    let is_resolved =
+        layer.prims.iter().any(|prim| prim.properties.contains_key("xformOp:scale:unitsResolve"));
+    notes.extend(notes::of_units(&stage, layers, places, is_resolved));
     Ok((layer, notes))
 }
 
@@ -100,7 +103,7 @@ fn of_prim(
     let (layer, site) = sites.first().map_or(("", path.as_str()), |(layer, site)| (layer, site.as_str()));
     let [span, name] = places.of_prim(layer, site);
     let name = Name { text: path.name().unwrap_or_default().to_owned(), span: name };
-    let words = prim.api_schemas().map_err(failed)?.iter().map(|schema| schema.as_str().to_owned()).collect();
+    let words = api_schemas(stage, prim)?;
     let schemas = Value { span: places.metadata(layer, site, "apiSchemas"), numbers: Vec::new(), words };
     let mut properties = HashMap::new();
     for own in prim.property_names().map_err(failed)? {
@@ -119,7 +122,32 @@ fn of_prim(
         metadata: HashMap::from([("apiSchemas".to_owned(), schemas)]),
         properties,
         is_abstract: false,
+        is_over: false,
     })
+}
+
+/// Returns the schemas that are applied to a prim.
+///
+/// The lists of its layers are combined from the weakest to the strongest. In each, `delete` comes
+/// first, as in OpenUSD; `openusd` 0.6 deletes last.
+fn api_schemas(stage: &Stage, prim: &StagePrim) -> Result<Vec<String>, ContentError> {
+    let mut schemas: Vec<String> = Vec::new();
+    for (id, site) in prim.prim_stack().map_err(failed)?.iter().rev() {
+        let Some(layer) = stage.layer(id) else { continue };
+        let Some(value) = layer.data().try_field(site, "apiSchemas").map_err(failed)? else { continue };
+        let sdf::Value::TokenListOp(list) = &*value else { continue };
+        if list.explicit {
+            schemas.clear();
+        }
+        schemas.retain(|schema| !list.deleted_items.iter().any(|item| item.as_str() == schema));
+        let added = [&list.explicit_items, &list.prepended_items, &list.appended_items, &list.added_items];
+        for item in added.into_iter().flatten() {
+            if !schemas.iter().any(|schema| schema == item.as_str()) {
+                schemas.push(item.as_str().to_owned());
+            }
+        }
+    }
+    Ok(schemas)
 }
 
 /// Returns the value of a property, and marks for time samples, splines and connections, by name.

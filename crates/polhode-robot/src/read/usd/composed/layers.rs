@@ -14,7 +14,7 @@ use openusd::ar::{Asset, ResolvedPath, Resolver};
 use openusd::sdf::{AbstractData, Path as SpecPath, Value};
 use openusd::{usda, usdc};
 use polhode_source::package::archive::Archive;
-use polhode_source::{ContentError, ContentErrorKind, FormatError, read_file};
+use polhode_source::{ContentError, ContentErrorKind, FormatError, FormatErrorKind, read_file};
 
 use super::crate_file::{is_crate, require_sound};
 use crate::read::uri::Roots;
@@ -191,7 +191,13 @@ impl Layers {
         }
         let bytes = match self.packages.get(&found) {
             Some(bytes) => Arc::clone(bytes),
-            None => read_file(roots.files, &found, |bytes| Ok(Arc::from(bytes)))?,
+            None => match read_file(roots.files, &found, |bytes| Ok(Arc::from(bytes))) {
+                Ok(bytes) => bytes,
+                Err(error) => match error.kind() {
+                    FormatErrorKind::Io { why, .. } => return Ok(Err(why.clone())),
+                    _ => return Err(error),
+                },
+            },
         };
         if !bytes.starts_with(b"PK") {
             return Ok(Ok(self.insert(LayerFile { path: found.clone(), file: found, entry: None, bytes })));
@@ -282,10 +288,38 @@ fn names_in(data: &dyn AbstractData) -> Result<(Vec<String>, Vec<String>), Conte
             _ => {}
         }
     }
+    require_single_inheritance(data)?;
     names.retain(|name| !name.is_empty());
     names.sort();
     names.dedup();
     Ok((sublayers, names))
+}
+
+/// Refuses a prim that inherits what it inherits already, because a prim around it inherits a prim
+/// around that one. `openusd` 0.6 then recurses without end, and no stack is enough.
+fn require_single_inheritance(data: &dyn AbstractData) -> Result<(), ContentError> {
+    let mut arcs: HashMap<String, Vec<String>> = HashMap::new();
+    for path in data.spec_paths().iter().filter(|path| !path.is_property_path()) {
+        for key in ["inheritPaths", "specializes"] {
+            if let Some(Value::PathListOp(list)) = data.try_field(path, key).map_err(failed)?.as_deref() {
+                let targets = list.iter().map(|target| target.as_str().to_owned());
+                arcs.entry(path.as_str().to_owned()).or_default().extend(targets);
+            }
+        }
+    }
+    for (path, targets) in &arcs {
+        for (at, _) in path.match_indices('/') {
+            let (around, rest) = path.split_at(at);
+            for of in arcs.get(around).into_iter().flatten() {
+                if targets.iter().any(|target| target.strip_prefix(of.as_str()) == Some(rest)) {
+                    let what = format!("<{path}>, which inherits <{of}{rest}> itself and by <{around}>,");
+                    let hint = format!("remove its own arc: <{around}> brings the same content");
+                    return Err(ContentErrorKind::unsupported(what).of_whole().hint(hint));
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Resolver of `openusd` for these layers. It opens no file.

@@ -163,8 +163,9 @@ pub(super) fn of_targets(
     Ok(notes)
 }
 
-/// Reports layers whose units differ from those of the root layer. USD does not convert them.
-pub(super) fn of_units(stage: &Stage, layers: &Layers, places: &Places) -> Vec<Note> {
+/// Reports layers whose units differ from those of the root layer. USD does not convert them; a scale
+/// `unitsResolve` converts lengths.
+pub(super) fn of_units(stage: &Stage, layers: &Layers, places: &Places, is_resolved: bool) -> Vec<Note> {
     let stated = |id: &str, key: &str| {
         let layer = stage.layer(id)?;
         let value = layer.data().try_field(&SpecPath::abs_root(), key).ok()??;
@@ -181,7 +182,9 @@ pub(super) fn of_units(stage: &Stage, layers: &Layers, places: &Places) -> Vec<N
                 let message = format!(
                     "{key} is {own} here and {root} in the root layer, whose unit counts: USD does not convert numbers"
                 );
-                notes.push(Note { severity: Severity::Suspect, ..Note::new("read.unit", "", span, message) });
+                let note = Note::new("read.unit", "", span, message);
+                let is_scaled = is_resolved && key == "metersPerUnit";
+                notes.push(if is_scaled { note } else { Note { severity: Severity::Suspect, ..note } });
             }
         }
     }

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use numpy::PyReadonlyArray2;
 use polhode::body::BodyError;
-use polhode::body::mesh::TriangleMesh;
+use polhode::body::mesh::{PrintShell, TriangleMesh};
 use polhode::body::shape::Substance;
 use polhode_document::SourceInfo;
 use polhode_shape::mesh::{MeshContents, MeshFormat, MeshLength, MeshPart, Share};
@@ -36,8 +36,9 @@ pub(crate) struct MeshOptions {
     fill: Option<String>,
     /// Largest share of the volume that closing all holes may leave uncertain, as text.
     close_within: Option<String>,
-    /// Thickness of the walls of a print, m, and the density of its infill, as text.
-    print: Option<(f64, String)>,
+    /// Thicknesses of the walls and of the layers at top and bottom of a print, m, and the density
+    /// of its infill, as text.
+    print: Option<([f64; 3], String)>,
     /// True to count overlapping volumes of parts only once.
     union: bool,
     /// True to search for triangles that intersect.
@@ -76,10 +77,10 @@ impl Made {
         let (weld, fill) = (length("weld", options.weld.as_ref())?, length("fill", options.fill.as_ref())?);
         let close_within =
             options.close_within.as_ref().map(|text| share("close_within", text)).transpose()?;
-        let print = options
-            .print
-            .as_ref()
-            .map(|(walls, infill)| Ok::<_, PyErr>(Print { walls: *walls, infill: share("infill", infill)? }));
+        let print = options.print.as_ref().map(|([walls, top, bottom], infill)| {
+            let shell = PrintShell { walls: *walls, top: *top, bottom: *bottom };
+            Ok::<_, PyErr>(Print { shell, infill: share("infill", infill)? })
+        });
         let print = print.transpose()?;
         let field = options.field.as_ref().map(formula).transpose()?;
         Ok(Self { substance, parts, weld, fill, close_within, print, field, options })

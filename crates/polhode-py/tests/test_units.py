@@ -126,7 +126,7 @@ def more() -> Iterator[tuple[Callable[..., Any], dict[str, Any], Callable[[Any],
 LENGTHS = {"size", "radius", "inner_radius", "length", "base_radius", "top_radius", "height", "semi_axes", "ring_radius", "tube_radius", "vertices"}
 
 #: Arguments that other tests here give: of meshes and flights, of grids and tables of files, which come the same way as those beside them, and of JAX's functions.
-ELSEWHERE = {"source", "shell", "walls", "weld", "fill", "added", "a wheel's momentum", "a wheel's axis", "the torque of a function", "attitude_times", "unit", "mass_unit"}
+ELSEWHERE = {"source", "shell", "walls", "top_layers", "bottom_layers", "weld", "fill", "added", "a wheel's momentum", "a wheel's axis", "the torque of a function", "attitude_times", "unit", "mass_unit"}
 ELSEWHERE |= {"spacing", "origin", "per_value", "axes", "centers_of_mass", "inertias", "worker_timeout"}
 
 

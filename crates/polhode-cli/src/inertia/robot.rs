@@ -25,7 +25,7 @@ use crate::xacro::{XacroFlags, require_not_expanded};
 pub(super) const OUTPUTS: [&str; 2] = ["write_mesh", "write_inertials"];
 
 /// Options that do not apply to inertials from the geometry of links.
-const OF_OTHERS: [&str; 30] = [
+const OF_OTHERS: [&str; 32] = [
     "primitive",
     "hull",
     "shell",
@@ -35,6 +35,8 @@ const OF_OTHERS: [&str; 30] = [
     "fill",
     "close_within",
     "walls",
+    "top_layers",
+    "bottom_layers",
     "infill",
     "union",
     "write_mesh",

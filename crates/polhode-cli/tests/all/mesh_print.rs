@@ -1,4 +1,4 @@
-//! Meshes that are printed with walls and infill.
+//! Meshes that are printed with walls, solid layers and infill.
 
 use crate::common::{Scratch, json, number, refused, stdout};
 
@@ -51,6 +51,30 @@ fn a_printed_box_is_the_sum_of_two_boxes() {
         &scratch.run(&[&["inertia", "brick.obj", "--unit", "mm", "--mass", "12 g"], &PRINT[..]].concat()),
     );
     assert!(text.contains("printed with walls of 1.5 mm and an") && text.contains("error bounds"), "{text}");
+}
+
+#[test]
+fn solid_layers_raise_the_center_of_a_printed_box() {
+    let scratch = Scratch::new("print-layers");
+    scratch.write("brick.obj", &brick("only", 5.0, 0));
+    let flags = ["inertia", "brick.obj", "--unit", "mm", "--density", "1.24 g/cm^3", "--top-layers", "3 mm"];
+    let found = json(&scratch.run(&[flags.as_slice(), &PRINT, &["--json"]].concat()));
+    let [outer, inner] = [0.040 * 0.030 * 0.020, 0.037 * 0.027 * (0.020 - 0.003 - 0.0015)];
+    let mass = 1240.0 * (outer - 0.85 * inner);
+    let bounds = &found["bounds"];
+    assert!((number(&found["mass"]) - mass).abs() <= number(&bounds["mass"]), "{found}");
+    // The middle of the infill is at 3 + (1.5 + 17)/2 mm, and that of the box at 13 mm.
+    let center = 1240.0 * (outer * 0.013 - 0.85 * inner * 0.01225) / mass;
+    let off = (number(&found["center_of_mass"][2]) - center).abs();
+    assert!(off <= number(&bounds["center_of_mass"][2]) && center > 0.0131, "{off:e} {center}");
+    let print = &found["source"]["print"];
+    assert_eq!([&print["top_layers_m"], &print["bottom_layers_m"]].map(number), [0.003, 0.0]);
+    let text = stdout(&scratch.run(&[flags.as_slice(), &PRINT].concat()));
+    assert!(text.contains("walls of 1.5 mm, layers of 3 mm at the top and an"), "{text}");
+    let both = [flags.as_slice(), &PRINT, &["--bottom-layers", "3 mm"]].concat();
+    let text = stdout(&scratch.run(&both));
+    assert!(text.contains("layers of 3 mm at top and bottom"), "{text}");
+    refused(&scratch.run(&flags), 2);
 }
 
 #[test]

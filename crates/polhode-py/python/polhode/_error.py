@@ -15,7 +15,7 @@ _SWITCHES = {"hull", "union", "resume", "force"}
 _RENAMED = {"root": "roots", "joint": "joints", "part": "parts", "omega": "omega_axes"}
 _SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule", "field", "tolerance"}
 _SAME |= {"spacing", "origin", "per-value", "link", "subtree", "geometry", "only", "threads", "workers", "worker-timeout"}
-_SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns", "moments", "start-omega", "weld", "fill", "close-within", "walls", "infill", "draws"}
+_SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns", "moments", "start-omega", "weld", "fill", "close-within", "walls", "top-layers", "bottom-layers", "infill", "draws"}
 #: Options that are functions or attributes in Python.
 _ELSEWHERE = {"--lump fixed": "fixed_groups()", "--lump all": "inertia()", "--table": "link_table()", "--body": "the attribute body"}
 #: Commands with another name in Python.

@@ -35,7 +35,7 @@ _OPTIONS = {
     "scenario": ("a scenario", set[str]()),
     "mesh": (
         "a mesh",
-        {"density", "mass", "material", "parts", "field", "tolerance", "unit", "hull", "shell", "weld", "fill", "close_within", "walls", "infill", "union", "check"},
+        {"density", "mass", "material", "parts", "field", "tolerance", "unit", "hull", "shell", "weld", "fill", "close_within", "walls", "top_layers", "bottom_layers", "infill", "union", "check"},
     ),
     "step": ("a STEP file", {"density", "mass", "material"}),
     "particles": ("a table of particles", {"mass", "unit", "mass_unit"}),
@@ -62,6 +62,8 @@ def inertia(
     fill: str | float | None = None,
     close_within: str | float | None = None,
     walls: Quantity | None = None,
+    top_layers: Quantity | None = None,
+    bottom_layers: Quantity | None = None,
     infill: str | float | None = None,
     union: bool = False,
     check: bool = True,
@@ -87,7 +89,7 @@ def inertia(
         A path; an open file; ``(vertices, triangles)``; an object with ``vertices`` and ``faces``,
         such as a ``trimesh.Trimesh`` (in its ``units``, if it has any); or triangles (n, 3, 3)
         given by their corners.
-    density, mass, material, parts, field, tolerance, unit, hull, shell, weld, fill, close_within, walls, infill, union, check
+    density, mass, material, parts, field, tolerance, unit, hull, shell, weld, fill, close_within, walls, top_layers, bottom_layers, infill, union, check
         Options for meshes; some also apply to other files.
     mass_unit, products, decimal, isotopes, molecule, spacing, origin, per_value, link, subtree, joints
         Options for other files. The notes list the options of each kind of file. Any other option
@@ -129,7 +131,8 @@ def inertia(
         share of the volume uncertain. ``to_dict()["bounds"]`` has error bounds of all results,
         valid if each missing surface lies within the convex hull of its hole. ``walls="1.2 mm"`` (m)
         and ``infill="15%"`` (or 0.15) are those of a print: points farther from the surface than
-        the walls' thickness have that share of the density.
+        the walls' thickness have that share of the density. ``top_layers`` and ``bottom_layers`` (m)
+        are solid layers under all that faces up and over all that faces down; z is up.
         ``union=True`` counts overlapping volumes once, within a part and between parts.
         ``check=False`` omits the search for triangles that intersect. The mesh must still be closed
         and consistently oriented, and the finding ``mesh.unchecked`` states the omission. Use it
@@ -199,6 +202,8 @@ def inertia(
         "fill": fill,
         "close_within": close_within,
         "walls": walls,
+        "top_layers": top_layers,
+        "bottom_layers": bottom_layers,
         "infill": infill,
         "union": _arrays.truth("union", union) or None,
         "check": None if _arrays.truth("check", check) else False,
@@ -274,6 +279,9 @@ def _refuse_options(kind: str, path: str, options: Mapping[str, object]) -> None
         raise PolhodeError("tolerance has no effect without field")
     if (options["walls"] is None) != (options["infill"] is None):
         raise PolhodeError("walls and infill belong together", 'write walls="1.2 mm", infill="15%"')
+    for layers in ("top_layers", "bottom_layers"):
+        if options[layers] is not None and options["walls"] is None:
+            raise PolhodeError(f"{layers} has no effect without walls")
     for other in ("hull", "shell", "union", "field", "close_within"):
         if options["walls"] is not None and options[other] is not None:
             raise PolhodeError(f"walls and {other} are both given: a print needs a closed mesh of one density")
@@ -316,7 +324,7 @@ def _read(kind: str, path: str | None, source: Any, options: Mapping[str, Any]) 
             "weld": _beside_mesh("weld", options["weld"]),
             "fill": _beside_mesh("fill", options["fill"]),
             "close_within": _share("close_within", options["close_within"]),
-            "print": _print(options["walls"], options["infill"]),
+            "print": _print(*(options[name] for name in ("walls", "top_layers", "bottom_layers", "infill"))),
             "union": bool(options["union"]),
             "check": options["check"] is None,
             "parts": of_parts(options["parts"]),
@@ -380,10 +388,13 @@ def _share(name: str, share: str | float | None) -> str | None:
     return share if share is None or isinstance(share, str) else repr(_arrays.number(name, share))
 
 
-def _print(walls: float | None, infill: str | float | None) -> tuple[float, str] | None:
-    """Returns the thickness of walls, m, and the share of the infill."""
+def _print(walls: float | None, top: float | None, bottom: float | None, infill: str | float | None) -> tuple[list[float], str] | None:
+    """Returns the thicknesses of walls and layers, m, and the share of the infill."""
     share = _share("infill", infill)
-    return None if walls is None or share is None else (_arrays.positive("walls", walls), share)
+    if walls is None or share is None:
+        return None
+    layers = [0.0 if value is None else _arrays.positive(name, value) for name, value in (("top_layers", top), ("bottom_layers", bottom))]
+    return [_arrays.positive("walls", walls), *layers], share
 
 
 def _unit(unit: str | float | None, name: str, of_mass: bool) -> float | None:

@@ -34,7 +34,7 @@ class MeshOptions(TypedDict):
     weld: str | None
     fill: str | None
     close_within: str | None
-    print: tuple[float, str] | None
+    print: tuple[list[float], str] | None
     union: bool
     check: bool
     parts: list[tuple[str, Given]]

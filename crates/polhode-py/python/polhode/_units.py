@@ -48,7 +48,7 @@ DIMENSIONS: dict[str, Dimension] = {
     **dict.fromkeys(["times", "attitude_times", "duration", "periods", "shortest", "time_origin", "step", "worker_timeout"], TIME),
     **dict.fromkeys(["center_of_mass", "centers_of_mass", "about", "pivot", "point", "position", "positions", "vertices", "source"], LENGTH),
     **dict.fromkeys(["size", "radius", "inner_radius", "length", "base_radius", "top_radius", "height", "semi_axes", "ring_radius", "tube_radius"], LENGTH),
-    **dict.fromkeys(["shell", "walls", "spacing", "origin", "weld", "fill", "unit"], LENGTH),
+    **dict.fromkeys(["shell", "walls", "top_layers", "bottom_layers", "spacing", "origin", "weld", "fill", "unit"], LENGTH),
     **dict.fromkeys(["mass", "masses", "mass_unit"], MASS),
     **dict.fromkeys(["density", "per_value"], DENSITY),
     "area_density": AREA_DENSITY,

@@ -9,7 +9,6 @@ use polhode_source::given::{Given, Positive};
 use super::choice::PartSubstance;
 use super::host::Host;
 use super::mesh_body::{MeshUse, MeshWords};
-use super::print::Print;
 use super::request::Request;
 use super::written::MeshFile;
 use crate::mesh::{MeshFormat, MeshLength};
@@ -33,11 +32,7 @@ pub(super) fn report(
         weld: length(&choice.weld),
         fill: length(&choice.fill),
         close_within: choice.close_within.as_ref().map(|share| share.value),
-        print: choice
-            .walls
-            .as_ref()
-            .zip(choice.infill.as_ref())
-            .map(|(walls, infill)| Print { walls: walls.value.0.0, infill: infill.value }),
+        print: choice.print(),
         union: choice.union,
         check: true,
         substance: request.substance.given(),

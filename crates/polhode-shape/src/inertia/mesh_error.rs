@@ -59,7 +59,7 @@ impl MeshBodyError {
                 "a hull needs four points that do not lie in one plane".to_owned()
             }
             Self::Body(_) => "check --density, --mass, --part and --unit".to_owned(),
-            Self::Print(_) => "check --walls and --infill".to_owned(),
+            Self::Print(_) => "check --walls and the layers".to_owned(),
             Self::Density(error) => error.hint().unwrap_or("check --field and --tolerance").to_owned(),
             Self::UnknownPart { known, .. } => {
                 let known: Vec<_> = known.iter().map(|name| format!("{name:?}")).collect();

@@ -1,6 +1,6 @@
-//! Mesh bodies that are printed with walls and infill.
+//! Mesh bodies that are printed with walls, solid layers and infill.
 
-use polhode::body::mesh::{ClosedMesh, MeshInfill};
+use polhode::body::mesh::{ClosedMesh, MeshInfill, PrintShell};
 use polhode::body::shape::{Shape as _, Substance};
 use polhode::body::{BodyError, MassProperties};
 use polhode::math::Part;
@@ -15,11 +15,11 @@ use super::mesh_error::MeshBodyError;
 use crate::mesh::Fraction;
 use crate::report::{PartRow, mass_bound};
 
-/// Walls and infill of a print.
+/// Walls, solid layers and infill of a print.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Print {
-    /// Thickness of the walls along the surface, m.
-    pub walls: f64,
+    /// Walls along the surface, and solid layers at top and bottom.
+    pub shell: PrintShell,
     /// Density of the infill relative to that of the walls.
     pub infill: Fraction,
 }
@@ -41,14 +41,23 @@ impl Print {
         solid: ClosedMesh,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Printed, MeshBodyError> {
-        let infill = solid.infill(self.walls, TOLERANCE, goes_on).map_err(MeshBodyError::Print)?;
+        let infill = solid.infill(&self.shell, TOLERANCE, goes_on).map_err(MeshBodyError::Print)?;
         Ok(Printed { solid, infill, fraction: self.infill.value() })
     }
 
-    /// Returns walls and infill in words.
+    /// Returns walls, layers and infill in words.
     pub(super) fn in_words(self) -> String {
         let percent = number(100.0 * self.infill.value(), 6);
-        format!("printed with walls of {} and an infill of {percent}%", unit::length(self.walls))
+        let PrintShell { walls, top, bottom } = self.shell;
+        let layers = match [top, bottom].map(unit::length) {
+            [both, _] if top == bottom && top > 0.0 => format!(", layers of {both} at top and bottom"),
+            [top, bottom] => [(self.shell.top, top, "top"), (self.shell.bottom, bottom, "bottom")]
+                .into_iter()
+                .filter(|(thickness, ..)| *thickness > 0.0)
+                .map(|(_, length, place)| format!(", layers of {length} at the {place}"))
+                .collect(),
+        };
+        format!("printed with walls of {}{layers} and an infill of {percent}%", unit::length(walls))
     }
 
     /// Adds walls and infill to the source of a report.
@@ -62,7 +71,9 @@ impl Print {
         source.with(
             "print",
             json!({
-                "walls_m": self.walls,
+                "walls_m": self.shell.walls,
+                "top_layers_m": self.shell.top,
+                "bottom_layers_m": self.shell.bottom,
                 "infill": self.infill.value(),
                 "infill_volume_m3": volume,
                 "infill_bound_m3": bound,

@@ -69,7 +69,7 @@ fn bodies_of_every_kind_fit_the_schema() {
     for request in [
         json!({ "files": ["two.obj"], "field": "1 + x^2", "tolerance": 1e-6 }),
         json!({ "files": ["two.obj"], "close-within": "5%", "weld": "1e-9" }),
-        json!({ "files": ["two.obj"], "walls": "5 cm", "infill": "15%", "mass": "2 kg" }),
+        json!({ "files": ["two.obj"], "walls": "5 cm", "top-layers": 0.08, "infill": "15%", "mass": "2 kg" }),
         json!({ "files": ["two.obj"], "shell": 0.001, "density": 2700 }),
         json!({ "files": ["two.obj"], "union": true, "material": "steel" }),
         json!({ "files": ["two.obj", "points.csv", "water.xyz", "missing.stl"] }),
@@ -115,7 +115,7 @@ fn requests_fit_the_schema() {
         "files": ["a.stl"], "box": "20 cm, 10 cm, 6 cm", "sphere": "1 m", "ellipsoid": "(3, 2, 1) mm", "cylinder": "1 m, 2 m",
         "capsule": "1 m, 2 m", "cone": "1 m, 2 m", "torus": "2 m, 1 m", "rod": "1 m", "disk": "1 m", "density": null, "mass": "85 g", "material": null, "part": ["rod=steel", "grip=85 g"],
         "hull": true, "shell": "1 mm", "field": "2700 - 300*hypot(x, y)", "tolerance": "1e-6", "weld": "0.01 mm",
-        "fill": "2 mm", "close-within": "5%", "walls": "1.2 mm", "infill": "15%", "union": true, "write-mesh": "b.stl", "unit": "mm", "mass-unit": "g",
+        "fill": "2 mm", "close-within": "5%", "walls": "1.2 mm", "top-layers": "0.8 mm", "bottom-layers": "0.6 mm", "infill": "15%", "union": true, "write-mesh": "b.stl", "unit": "mm", "mass-unit": "g",
         "isotopes": "average", "products": "negative", "decimal": "comma", "spacing": "1 mm,1 mm,2 mm",
         "origin": "0,0,0", "per-value": "1 g/cm^3", "format": "stl", "about": "0,0,12 mm", "along": "1,0,0,0",
     });

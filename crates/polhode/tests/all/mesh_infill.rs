@@ -1,7 +1,9 @@
 //! Infill of printed solids, compared with closed forms and a count of points.
 
 use polhode::body::BodyError;
-use polhode::body::mesh::{ClosedMesh, MassBound, MeshInfill, Triangle, TriangleMesh, UncertainPart};
+use polhode::body::mesh::{
+    ClosedMesh, MassBound, MeshInfill, PrintShell, Triangle, TriangleMesh, UncertainPart,
+};
 use polhode::body::shape::{Shape, Substance};
 
 /// Rotation of the unit quaternion (2, 1, −3, 4)/√30.
@@ -19,10 +21,15 @@ fn turned(v: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|k| p[k] - ORIGIN[k])
 }
 
-/// Returns a prism on a polygon, triangulated from its first corner, in an oblique pose.
+/// Returns a prism on a polygon, in an oblique pose.
 fn prism(polygon: &[[f64; 2]], height: f64) -> ClosedMesh {
+    prism_at(polygon, height, placed)
+}
+
+/// Returns a prism on a polygon, triangulated from its first corner.
+fn prism_at(polygon: &[[f64; 2]], height: f64, place: impl Fn([f64; 3]) -> [f64; 3]) -> ClosedMesh {
     let n = polygon.len();
-    let at = |k: usize, z: f64| placed([polygon[k % n][0], polygon[k % n][1], z]);
+    let at = |k: usize, z: f64| place([polygon[k % n][0], polygon[k % n][1], z]);
     let mut triangles: Vec<Triangle> = Vec::new();
     for k in 0..n {
         let [a, b, c, d] = [at(k, 0.0), at(k + 1, 0.0), at(k + 1, height), at(k, height)];
@@ -37,14 +44,18 @@ fn prism(polygon: &[[f64; 2]], height: f64) -> ClosedMesh {
     ClosedMesh::of(&TriangleMesh::of_triangles(&triangles).unwrap()).unwrap()
 }
 
+const fn only_walls(walls: f64) -> PrintShell {
+    PrintShell { walls, top: 0.0, bottom: 0.0 }
+}
+
 fn infill(solid: &ClosedMesh, walls: f64) -> MeshInfill {
-    solid.infill(walls, 1e-3, &|| true).unwrap()
+    solid.infill(&only_walls(walls), 1e-3, &|| true).unwrap()
 }
 
 /// Asserts that the body with an infill of a quarter of the density is the solid without three
 /// quarters of `core`, within the bounds.
-fn require_core(solid: &ClosedMesh, walls: f64, core: &ClosedMesh) {
-    let found = infill(solid, walls);
+fn require_core(solid: &ClosedMesh, shell: PrintShell, core: &ClosedMesh) {
+    let found = solid.infill(&shell, 1e-3, &|| true).unwrap();
     let off = (found.volume - core.volume()).abs();
     assert!(off <= found.bound.measure, "{off:e} {:e}", found.bound.measure);
     assert!(found.bound.measure <= 1e-3 * found.volume);
@@ -80,7 +91,7 @@ fn the_infill_of_a_box_is_a_smaller_box() {
         // The smaller prism stands on z = 0: moves it up by the walls.
         let up = turned([0.0, 0.0, walls]);
         let moved = core.triangles().map(|t| t.map(|p| std::array::from_fn(|k| p[k] + up[k]))).collect();
-        require_core(&solid, walls, &ClosedMesh::from_triangles(moved).unwrap());
+        require_core(&solid, only_walls(walls), &ClosedMesh::from_triangles(moved).unwrap());
     }
 }
 
@@ -98,7 +109,7 @@ fn the_infill_of_a_cylinder_is_a_smaller_prism() {
         let core = prism(&polygon(0.8 - walls), 1.7 - 2.0 * walls);
         let up = turned([0.0, 0.0, walls]);
         let moved = core.triangles().map(|t| t.map(|p| std::array::from_fn(|k| p[k] + up[k]))).collect();
-        require_core(&solid, walls, &ClosedMesh::from_triangles(moved).unwrap());
+        require_core(&solid, only_walls(walls), &ClosedMesh::from_triangles(moved).unwrap());
     }
 }
 
@@ -171,11 +182,145 @@ fn thick_walls_and_a_full_infill_are_the_solid() {
 fn what_is_no_wall_or_share_is_refused() {
     let solid = prism(&[[0.0, 0.0], [2.0, 0.0], [1.7, 1.1]], 0.6);
     for (walls, tolerance) in [(0.0, 1e-3), (-0.1, 1e-3), (f64::NAN, 1e-3), (0.1, 0.0), (1e-6, 1e-3)] {
-        let error = solid.infill(walls, tolerance, &|| true).unwrap_err();
+        let error = solid.infill(&only_walls(walls), tolerance, &|| true).unwrap_err();
         assert!(matches!(error, BodyError::Parameter { .. }), "{error}");
+    }
+    for thickness in [-0.1, f64::NAN, f64::INFINITY] {
+        for shell in [
+            PrintShell { top: thickness, ..only_walls(0.1) },
+            PrintShell { bottom: thickness, ..only_walls(0.1) },
+        ] {
+            let error = solid.infill(&shell, 1e-3, &|| true).unwrap_err();
+            assert!(error.to_string().contains("layers"), "{error}");
+        }
     }
     let some = infill(&solid, 0.1);
     for fraction in [-0.1, 1.1, f64::NAN] {
         assert!(some.mass_properties(&solid, Substance::Density(1.0), fraction).is_err());
     }
+}
+
+/// Rotates about the vertical axis and moves away from the origin.
+fn upright([x, y, z]: [f64; 3]) -> [f64; 3] {
+    let (sin, cos) = 0.7_f64.sin_cos();
+    [cos * x - sin * y - 1.3, sin * x + cos * y + 0.4, z + 2.1]
+}
+
+/// Places a profile (x, z) whose prism extends along −y.
+fn standing([x, z, along]: [f64; 3]) -> [f64; 3] {
+    upright([x, -along, z])
+}
+
+#[test]
+fn solid_layers_of_a_box_reduce_the_height_of_its_infill() {
+    let rectangle = |by: f64| [[by, by], [2.1 - by, by], [2.1 - by, 1.3 - by], [by, 1.3 - by]];
+    let solid = prism_at(&rectangle(0.0), 0.9, upright);
+    for (walls, top, bottom) in [(0.05, 0.2, 0.11), (0.05, 0.0, 0.3), (0.1, 0.04, 0.0_f64)] {
+        let [below, above] = [f64::max(walls, bottom), f64::max(walls, top)];
+        let core = prism_at(&rectangle(walls), 0.9 - below - above, |[x, y, z]| upright([x, y, z + below]));
+        require_core(&solid, PrintShell { walls, top, bottom }, &core);
+    }
+}
+
+/// The vertical thickness t of layers under a roof with the slope s is t/√(1 + s²) across.
+#[test]
+fn solid_layers_under_a_sloping_roof_are_vertical() {
+    let (a, b, length) = (1.9, 1.1, 1.4);
+    let solid = prism_at(&[[0.0, 0.0], [a, 0.0], [0.0, b]], length, standing);
+    for (walls, top, bottom) in [(0.06, 0.21, 0.13), (0.06, 0.065, 0.01)] {
+        let slope: f64 = b / a;
+        let down = f64::max(top, walls * (1.0 + slope * slope).sqrt());
+        let floor = f64::max(walls, bottom);
+        let profile =
+            [[walls, floor], [(b - down - floor) / slope, floor], [walls, b - down - slope * walls]];
+        let core = prism_at(&profile, length - 2.0 * walls, |[x, z, along]| standing([x, z, along + walls]));
+        require_core(&solid, PrintShell { walls, top, bottom }, &core);
+    }
+}
+
+/// The infill of a convex solid has all x with n · x < d − max(w, t n_z, −b n_z) for each face.
+#[test]
+fn solid_layers_under_a_dome_of_many_triangles() {
+    let (around, rings) = (40, 20);
+    let point = |k: usize, j: usize| {
+        let turn = std::f64::consts::TAU * (k % around) as f64 / around as f64;
+        let (sin, cos) = (std::f64::consts::PI * (j as f64 / rings as f64 - 0.5)).sin_cos();
+        let cos = if j % rings == 0 { 0.0 } else { cos };
+        [1.1 * cos * turn.cos(), 0.8 * cos * turn.sin(), 0.9 * sin]
+    };
+    let mut triangles: Vec<Triangle> = Vec::new();
+    for (j, k) in (0..rings).flat_map(|j| (0..around).map(move |k| (j, k))) {
+        let [a, b, c, d] = [point(k, j), point(k + 1, j), point(k + 1, j + 1), point(k, j + 1)];
+        triangles.extend(if j > 0 { Some([a, b, c]) } else { None });
+        triangles.extend(if j + 1 < rings { Some([a, c, d]) } else { None });
+    }
+    let shell = PrintShell { walls: 0.04, top: 0.15, bottom: 0.08 };
+    let solid = ClosedMesh::of(&TriangleMesh::of_triangles(&triangles).unwrap()).unwrap();
+    let found = solid.infill(&shell, 1e-3, &|| true).unwrap();
+    let faces: Vec<([f64; 3], f64)> = triangles
+        .iter()
+        .map(|[a, b, c]| {
+            let [u, v]: [[f64; 3]; 2] = [b, c].map(|p| std::array::from_fn(|k| p[k] - a[k]));
+            let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+            let size = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
+            let n = n.map(|x| x / size);
+            let shift = shell.walls.max(shell.top * n[2]).max(-shell.bottom * n[2]);
+            (n, n[0] * a[0] + n[1] * a[1] + n[2] * a[2] - shift)
+        })
+        .collect();
+    // The height of the infill on a grid of vertical lines.
+    let count = 500;
+    let volume: f64 = (0..count * count)
+        .map(|k| {
+            let [x, y] = [(k % count, 1.1), (k / count, 0.8)]
+                .map(|(k, size)| size * (2.0 * (k as f64 + 0.5) / count as f64 - 1.0));
+            let (mut low, mut high) = (-1.0_f64, 1.0_f64);
+            for (n, d) in &faces {
+                let z = (d - n[0] * x - n[1] * y) / n[2];
+                if n[2] > 0.0 { high = high.min(z) } else { low = low.max(z) }
+            }
+            (high - low).max(0.0)
+        })
+        .sum::<f64>()
+        * (2.2 * 1.6 / (count * count) as f64);
+    let off = (found.volume - volume).abs();
+    assert!(off <= found.bound.measure + 2e-5 * volume, "{off:e} {:e}", found.bound.measure);
+    assert!(found.bound.measure <= 1e-3 * volume);
+}
+
+/// A profile with an overhang, whose lower side has layers of its own, and with a ledge.
+#[test]
+fn solid_layers_over_an_overhang_and_under_a_ledge() {
+    let [c, d, a, height, ledge, length] = [0.8, 0.7, 1.7, 1.6, 1.1, 1.2];
+    // From a point that sees all others: over the overhang, left of the ledge.
+    let profile =
+        [[c, d], [a, d], [a, ledge], [0.9, ledge], [0.9, height], [0.0, height], [0.0, 0.0], [c, 0.0]];
+    let solid = prism_at(&profile, length, standing);
+    let PrintShell { walls, top, bottom } = PrintShell { walls: 0.05, top: 0.13, bottom: 0.17 };
+    let found = solid.infill(&PrintShell { walls, top, bottom }, 1e-3, &|| true).unwrap();
+    let count = 200_000;
+    let area: f64 = (0..count)
+        .map(|k| a * (f64::from(k) + 0.5) / f64::from(count))
+        .filter(|x| *x > walls && *x < a - walls)
+        .map(|x| {
+            // The wall round an edge at a horizontal distance.
+            let around = |distance: f64| (walls * walls - distance * distance).max(0.0).sqrt();
+            let low = match x {
+                x if x >= c => d + bottom,
+                x if x > c - walls => d + around(c - x),
+                _ => bottom,
+            };
+            let high = match x {
+                x if x >= 0.9 => ledge - top,
+                x if x > 0.9 - walls => ledge - around(0.9 - x),
+                _ => height - top,
+            };
+            (high - low).max(0.0)
+        })
+        .sum::<f64>()
+        * (a / f64::from(count));
+    let volume = area * (length - 2.0 * walls);
+    let off = (found.volume - volume).abs();
+    assert!(off <= found.bound.measure + 1e-5 * volume, "{off:e} {:e}", found.bound.measure);
+    assert!(found.bound.measure <= 1e-3 * volume);
 }

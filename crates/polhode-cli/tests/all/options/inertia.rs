@@ -144,6 +144,8 @@ static INERTIA: Subcommand = Subcommand {
             &[],
         ),
         choice("--walls", &["--walls", "0.1 m"], MESHES, &["--infill"]),
+        choice("--top-layers", &["--top-layers", "0.1 m"], MESHES, &["--walls", "--infill"]),
+        choice("--bottom-layers", &["--bottom-layers", "0.2 m"], MESHES, &["--walls", "--infill"]),
         choice("--infill", &["--infill", "15%"], MESHES, &["--walls"]),
         choice(
             "--union",

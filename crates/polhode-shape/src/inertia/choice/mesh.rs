@@ -3,10 +3,12 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use polhode::body::mesh::PrintShell;
 use polhode_source::expression::Expression;
 use polhode_source::given::{Given, Length, Number, Positive};
 use serde::{Deserialize, Serialize};
 
+use super::super::print::Print;
 use super::substance::PartSubstance;
 use crate::mesh::{Fraction, MeshLength, Share};
 
@@ -56,6 +58,12 @@ pub struct MeshChoice {
     /// behind them.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "THICKNESS", requires = "infill", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance", "close_within"]))]
     pub walls: Option<Given<Positive<Length>>>,
+    /// Print solid layers of this thickness under all that faces up; z is up.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "THICKNESS", requires = "walls", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance", "close_within"]))]
+    pub top_layers: Option<Given<Positive<Length>>>,
+    /// Print solid layers of this thickness over all that faces down.
+    #[cfg_attr(feature = "arguments", arg(long, value_name = "THICKNESS", requires = "walls", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance", "close_within"]))]
+    pub bottom_layers: Option<Given<Positive<Length>>>,
     /// Density of the infill behind --walls relative to the material's, such as 15%; its distance
     /// from the surface exceeds the walls' thickness.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "SHARE", requires = "walls", conflicts_with_all = ["hull", "shell", "union", "field", "tolerance", "close_within"]))]
@@ -86,6 +94,14 @@ impl FromStr for DensityFormula {
 }
 
 impl MeshChoice {
+    /// Returns the walls, layers and infill of a print.
+    pub(in crate::inertia) fn print(&self) -> Option<Print> {
+        let (walls, infill) = self.walls.as_ref().zip(self.infill.as_ref())?;
+        let [top, bottom] = [&self.top_layers, &self.bottom_layers]
+            .map(|layers| layers.as_ref().map_or(0.0, |layers| layers.value.0.0));
+        Some(Print { shell: PrintShell { walls: walls.value.0.0, top, bottom }, infill: infill.value })
+    }
+
     /// Returns the name of the first option that is set.
     pub(in crate::inertia) fn given(&self) -> Option<&'static str> {
         let flags = [
@@ -98,6 +114,8 @@ impl MeshChoice {
             (self.fill.is_some(), "--fill"),
             (self.close_within.is_some(), "--close-within"),
             (self.walls.is_some(), "--walls"),
+            (self.top_layers.is_some(), "--top-layers"),
+            (self.bottom_layers.is_some(), "--bottom-layers"),
             (self.infill.is_some(), "--infill"),
             (self.union, "--union"),
             (self.write_mesh.is_some(), "--write-mesh"),

@@ -1,8 +1,9 @@
-//! Region of a solid that is farther from its surface than the walls of a print.
+//! Region of a solid behind the walls and the solid layers of a print.
 
 use super::ClosedMesh;
 use super::moment_bound::MomentBound;
 use super::offset_cell::{Cell, Facet, Moments};
+use super::roof::{MISSING, Roofs, Side, may_cover};
 use super::threads::Threads;
 use super::tree::Tree;
 use super::weld::Welded;
@@ -14,8 +15,20 @@ use crate::body::shape::{Shape, Substance};
 use crate::math::frame::Part;
 use crate::math::vector::Position;
 
+/// Solid outside of a print, as thicknesses in m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PrintShell {
+    /// Thickness of the walls, along the whole surface.
+    pub walls: f64,
+    /// Thickness of the solid layers under what faces up, along z; 0 for none.
+    pub top: f64,
+    /// Thickness of the solid layers over what faces down, along z; 0 for none.
+    pub bottom: f64,
+}
+
 /// Infill of a printed solid: all of its points whose distance from the surface exceeds the
-/// thickness of the walls. [`ClosedMesh::infill`] computes it.
+/// thickness of the walls, and whose distance from it along z exceeds that of the solid layers.
+/// [`ClosedMesh::infill`] computes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MeshInfill {
@@ -33,47 +46,59 @@ const MOST_CELLS: f64 = 3e7;
 const FIRST: usize = 8;
 
 impl ClosedMesh {
-    /// Returns the infill behind walls of a thickness, m. The error bound of its volume is at most
+    /// Returns the infill behind walls and solid layers. The error bound of its volume is at most
     /// `tolerance` of it, or a millionth of the solid's volume. The computation ends early if
     /// `goes_on` returns false; the result is then meaningless.
     ///
     /// The solid is divided into cubes. A cube is skipped if it is outside, or if a triangle is
-    /// nearer than the thickness from all of its points. It counts as a whole if no triangle is as
-    /// near to any of its points. Others are divided until their radius r is small, and then
-    /// bounded by planes.
+    /// nearer than the walls from all of its points, or if it is in the solid layers. It counts as
+    /// a whole if neither is true of any of its points. Others are divided until their radius r is
+    /// small, and then bounded by planes.
     ///
     /// Let p be the point of a triangle T that is nearest to the centre c, n the direction from p
-    /// to c, and d the thickness. As T is convex, the distance of x from T is at least n · (x − p),
+    /// to c, and d the thickness of the walls. As T is convex, the distance of x from T is at least n · (x − p),
     /// and at most |x − p|. So the infill in the cube contains all x with n · (x − p) > d for each
     /// T, and lies within n · (x − p) > √(d² − r²), or n · (x − p) > d if the cube projects into T.
-    /// The mean of both polyhedra counts, and half of their difference is the bound.
+    /// Layers of the thickness t under the heights p(x, y) of the surface are bounded in the same
+    /// way: the infill contains z < p − t for the plane of each triangle above, and lies within the
+    /// same for the highest plane, if the triangles cover the cube. The mean of both polyhedra
+    /// counts, and half of their difference is the bound.
     ///
     /// ```
-    /// use polhode::body::mesh::{ClosedMesh, ConvexHull};
+    /// use polhode::body::mesh::{ClosedMesh, ConvexHull, PrintShell};
     /// let corners = (0..8).map(|k| [k & 1, k >> 1 & 1, k >> 2].map(|c| 0.3 + 2.0 * f64::from(c)));
     /// let cube = ClosedMesh::of(&ConvexHull::of(&corners.collect::<Vec<_>>())?)?;
-    /// let infill = cube.infill(0.25, 1e-3, &|| true)?;
-    /// assert!((infill.volume - 1.5_f64.powi(3)).abs() <= infill.bound.measure);
+    /// let shell = PrintShell { walls: 0.25, top: 0.5, bottom: 0.0 };
+    /// let infill = cube.infill(&shell, 1e-3, &|| true)?;
+    /// assert!((infill.volume - 1.5 * 1.5 * (2.0 - 0.25 - 0.5)).abs() <= infill.bound.measure);
     /// # Ok::<(), polhode::body::BodyError>(())
     /// ```
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] for a thickness or tolerance that is not positive and finite, or
-    /// one that needs too many cells; [`BodyError::OverlappingMesh`] if the surface goes through
+    /// [`BodyError::Parameter`] for walls or a tolerance that are not positive and finite, layers
+    /// that are negative or infinite, or walls that need too many cells; [`BodyError::OverlappingMesh`] if the surface goes through
     /// itself.
     pub fn infill(
         &self,
-        walls: f64,
+        shell: &PrintShell,
         tolerance: f64,
         goes_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<MeshInfill, BodyError> {
+        let PrintShell { walls, top, bottom } = *shell;
         positive("the thickness of the walls", walls)?;
+        for (what, value) in
+            [("the thickness of the top layers", top), ("the thickness of the bottom layers", bottom)]
+        {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(BodyError::Parameter { what, value, rule: "finite and not negative" });
+            }
+        }
         positive("the tolerance of the infill", tolerance)?;
         if let Some(pair) = self.diagnosis().self_overlaps.first {
             let pairs = self.diagnosis().self_overlaps.count;
             return Err(BodyError::OverlappingMesh { pairs, triangles: pair.triangles, point: pair.point });
         }
-        let search = Search::of(self, walls);
+        let search = Search::of(self, *shell);
         let enough = |volume: f64| (tolerance * volume).max(1e-6 * self.volume());
         // Walls thicker than the solid leave no infill, whatever the size of the cells.
         let mut radius = 0.4 * walls.min(search.half * 0.25);
@@ -147,6 +172,15 @@ impl MeshInfill {
     }
 }
 
+/// Triangles that may matter to a cell.
+#[derive(Clone, Copy)]
+struct Candidates<'t> {
+    /// All that are not farther from it than the walls' thickness.
+    near: &'t [u32],
+    /// All that may be above or below it within the thickness of the layers.
+    over: &'t [u32],
+}
+
 /// Triangles of a solid, with coordinates from its centroid.
 struct Search {
     facets: Vec<Facet>,
@@ -157,12 +191,14 @@ struct Search {
     middle: [f64; 3],
     half: f64,
     area: f64,
-    walls: f64,
+    /// Bound of what may be missing where triangles cover a cell.
+    missing: MomentBound,
+    shell: PrintShell,
     threads: Threads,
 }
 
 impl Search {
-    fn of(solid: &ClosedMesh, walls: f64) -> Self {
+    fn of(solid: &ClosedMesh, shell: PrintShell) -> Self {
         let surface = solid.surface();
         let threads = Threads::of_machine();
         let centroid = solid.spread().centroid().to_array();
@@ -173,16 +209,20 @@ impl Search {
         }
         let local = |p: [f64; 3]| core::array::from_fn(|k| p[k] - centroid[k]);
         let welded = Welded::of(surface, threads);
+        // The margin keeps the surface off the sides of the cube.
+        let half = 0.5 * 1.01 * (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+        let has_layers = shell.top > 0.0 || shell.bottom > 0.0;
+        let missing = if has_layers { MISSING * solid.volume() } else { 0.0 };
         Self {
             facets: surface.corners().map(|corners| Facet(corners.map(local))).collect(),
             tree: Tree::of(&welded, |_| true, threads),
             welded,
             centroid,
             middle: core::array::from_fn(|k| 0.5 * (low[k] + high[k])),
-            // The margin keeps the surface off the sides of the cube.
-            half: 0.5 * 1.01 * (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max),
+            half,
             area: solid.surface_area(),
-            walls,
+            missing: MomentBound::within(missing, 4.0 * half),
+            shell,
             threads,
         }
     }
@@ -201,20 +241,20 @@ impl Search {
             let center =
                 core::array::from_fn(|i| self.middle[i] - self.half + half * (2 * index[i] + 1) as f64);
             let mut sums = (Moments::default(), MomentBound::default());
-            self.visit(Cell { center, half }, &all, false, radius, goes_on, &mut sums);
+            let all = Candidates { near: &all, over: &all };
+            self.visit(Cell { center, half }, all, false, radius, goes_on, &mut sums);
             sums
         });
         parts
             .into_iter()
-            .fold((Moments::default(), MomentBound::default()), |all, part| (all.0 + part.0, all.1 + part.1))
+            .fold((Moments::default(), self.missing), |all, part| (all.0 + part.0, all.1 + part.1))
     }
 
-    /// Adds the infill in a cell. `near` contains all triangles that are not farther from it than
-    /// the walls' thickness; `is_inside` is true if the cell is known to lie inside the solid.
+    /// Adds the infill in a cell; `is_inside` is true if the cell is known to lie inside the solid.
     fn visit(
         &self,
         cell: Cell,
-        near: &[u32],
+        Candidates { near, over }: Candidates<'_>,
         mut is_inside: bool,
         smallest: f64,
         goes_on: &GoesOn<'_>,
@@ -223,15 +263,16 @@ impl Search {
         // Coordinates are rounded to far less.
         let rounding = 1e-12 * self.half;
         let radius = cell.radius() + rounding;
+        let PrintShell { walls, top, bottom } = self.shell;
         let mut relevant = Vec::new();
         let mut closest = f64::INFINITY;
         for &t in near {
             let nearest = self.facets[t as usize].nearest(cell.center);
-            if nearest.distance <= self.walls - radius {
+            if nearest.distance <= walls - radius {
                 return;
             }
             closest = closest.min(nearest.distance);
-            if nearest.distance <= self.walls + radius {
+            if nearest.distance <= walls + radius {
                 relevant.push((t, nearest));
             }
         }
@@ -241,17 +282,36 @@ impl Search {
             }
             is_inside = true;
         }
-        if is_inside && relevant.is_empty() {
+        let facet = |t: u32| self.facets[t as usize];
+        let has_layers = top > 0.0 || bottom > 0.0;
+        let over: Vec<u32> = over
+            .iter()
+            .copied()
+            .filter(|t| has_layers && may_cover(&cell, &facet(*t), [top, bottom]))
+            .collect();
+        let mut layers = Vec::new();
+        if is_inside {
+            for (side, thickness) in [(Side::Above, top), (Side::Below, bottom)] {
+                let roofs = Roofs::of(&cell, side, thickness, over.iter().map(|t| facet(*t)));
+                if roofs.contain_cell() {
+                    return;
+                }
+                if !roofs.are_far() {
+                    layers.push(roofs);
+                }
+            }
+        }
+        if is_inside && relevant.is_empty() && layers.is_empty() {
             sums.0 = sums.0 + cell.moments();
         } else if is_inside && radius <= smallest {
-            let facets: Vec<_> =
-                relevant.iter().map(|(t, nearest)| (self.facets[*t as usize], *nearest)).collect();
-            let (moments, bound) = cell.beyond(&facets, self.walls, rounding);
+            let facets: Vec<_> = relevant.iter().map(|(t, nearest)| (facet(*t), *nearest)).collect();
+            let (moments, bound) = cell.beyond(&facets, &layers, walls, rounding);
             *sums = (sums.0 + moments, sums.1 + bound);
         } else if goes_on() {
             let near: Vec<u32> = relevant.iter().map(|(t, _)| *t).collect();
             for part in cell.parts() {
-                self.visit(part, &near, is_inside, smallest, goes_on, sums);
+                let all = Candidates { near: &near, over: &over };
+                self.visit(part, all, is_inside, smallest, goes_on, sums);
             }
         }
     }

@@ -4,6 +4,7 @@ use core::ops::Add;
 
 use super::Triangle;
 use super::moment_bound::MomentBound;
+use super::roof::Roofs;
 
 /// Volume and moments of a region about the origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -125,9 +126,9 @@ pub(super) struct Cell {
 
 /// Half-space: all x with normal · (x − centre of the cell) > beyond.
 #[derive(Clone, Copy, Debug)]
-struct Limit {
-    normal: [f64; 3],
-    beyond: f64,
+pub(super) struct Limit {
+    pub(super) normal: [f64; 3],
+    pub(super) beyond: f64,
 }
 
 impl Cell {
@@ -152,10 +153,11 @@ impl Cell {
     }
 
     /// Returns the moments of the part of the cell that is farther than `distance` from all of the
-    /// triangles, and their bounds.
+    /// triangles, and below and above the solid layers, and their bounds.
     pub(super) fn beyond(
         &self,
         facets: &[(Facet, Nearest)],
+        layers: &[Roofs],
         distance: f64,
         rounding: f64,
     ) -> (Moments, MomentBound) {
@@ -168,15 +170,16 @@ impl Cell {
             let is_beside = facet.foot(self.center).is_some_and(|(_, depth)| depth > radius);
             let inner = distance + rounding - nearest.distance;
             let outer = if is_beside { distance } else { least } - rounding - nearest.distance;
-            // The support of the cell along the normal.
-            let extent = self.half * normal.iter().map(|x| x.abs()).sum::<f64>();
-            for (limits, beyond) in [(&mut certain, inner), (&mut possible, outer)] {
-                if beyond > -extent {
-                    limits.push(Limit { normal, beyond });
-                }
-            }
+            certain.push(Limit { normal, beyond: inner });
+            possible.push(Limit { normal, beyond: outer });
+        }
+        for roofs in layers {
+            let (below_all, below_some) = roofs.limits(rounding);
+            certain.extend(below_all);
+            possible.extend(below_some);
         }
         let [inner, outer] = [certain, possible].map(|mut limits| {
+            limits.retain(|limit| limit.beyond > -self.support(limit.normal));
             // The strictest first.
             limits.sort_by(|a, b| b.beyond.total_cmp(&a.beyond));
             limits.dedup_by(|a, b| a.normal == b.normal);
@@ -190,6 +193,11 @@ impl Cell {
             second: core::array::from_fn(|i| core::array::from_fn(|j| unsure * reach[i] * reach[j])),
         };
         ((inner + outer).scaled(0.5).moved(self.center), bound)
+    }
+
+    /// Returns the largest normal · (x − centre) of its points.
+    fn support(&self, normal: [f64; 3]) -> f64 {
+        self.half * normal.iter().map(|x| x.abs()).sum::<f64>()
     }
 
     /// Returns the moments of the part of the cell within half-spaces, about the cell's centre.

@@ -14,6 +14,7 @@
 //! Other programs, and RViz before 2025, use it as it is. COLLADA's `<up_axis>` is ignored by
 //! Gazebo and RViz, and applied by others. [`MeshReading`] names both conventions.
 
+mod inline_meshes;
 mod mesh;
 mod mesh_files;
 mod moments;
@@ -34,8 +35,9 @@ use polhode::body::mesh::TriangleMesh;
 use polhode::math::Part;
 use polhode_source::files::{Disk, Files};
 
-use crate::model::{Geometry, GeometryShape, Link, Role, Span};
+use crate::model::{Geometry, GeometryShape, InlineMesh, Link, Role, Span};
 use crate::pose::{dot, sum};
+use inline_meshes::InlineMeshes;
 use mesh::{Measured, Mesh};
 use mesh_files::MeshFiles;
 use primitive::Primitive;
@@ -91,7 +93,7 @@ pub enum MeshReading {
     Other,
 }
 
-/// Measures shapes; thread-safe. Each mesh file is read once.
+/// Measures shapes; thread-safe. Each mesh is read and measured once.
 ///
 /// ```
 /// use polhode_robot::{geometry::Shapes, model::Role, read};
@@ -107,8 +109,17 @@ pub enum MeshReading {
 pub struct Shapes<'a> {
     files: &'a dyn Files,
     meshes: MeshFiles,
+    inline: InlineMeshes,
     threads: usize,
     goes_on: &'a (dyn Fn() -> bool + Sync),
+}
+
+/// Mesh of a shape.
+struct ShapeMesh<'s> {
+    mesh: Arc<Mesh>,
+    /// Name for messages.
+    name: &'s str,
+    scale: [f64; 3],
 }
 
 /// Reason given for meshes that are not measured after cancellation.
@@ -141,7 +152,7 @@ impl<'a> Shapes<'a> {
     /// false, no mesh is measured.
     pub fn watched(goes_on: &'a (dyn Fn() -> bool + Sync)) -> Self {
         let threads = thread::available_parallelism().map_or(1, usize::from);
-        Self { files: &Disk, meshes: MeshFiles::default(), threads, goes_on }
+        Self { files: &Disk, meshes: MeshFiles::default(), inline: InlineMeshes::default(), threads, goes_on }
     }
 
     /// Limits the number of threads for each mesh. One is best if several threads call.
@@ -205,14 +216,12 @@ impl<'a> Shapes<'a> {
     }
 
     fn geometry_as(&self, geometry: &Geometry, reading: MeshReading) -> Result<Volume, String> {
-        let (solid, reach, kind) = match &geometry.shape {
-            GeometryShape::Other(what) => return Err(format!("{what} has no volume")),
-            GeometryShape::Mesh { uri, path, scale } => {
-                let path = path.as_ref().map_err(|why| format!("{:?}: {why}", uri.text))?;
-                let named = |why: String| format!("{:?}: {why}", uri.text);
-                let mesh = self.mesh(path).map_err(named)?;
+        let (solid, reach, kind) = match (&geometry.shape, self.mesh_of(&geometry.shape)) {
+            (GeometryShape::Other(what), _) => return Err(format!("{what} has no volume")),
+            (_, Some(found)) => {
+                let ShapeMesh { mesh, name, scale } = found?;
                 let Measured { solid, kind, .. } =
-                    mesh.measured.as_ref().map_err(|why| named(why.clone()))?;
+                    mesh.measured.as_ref().map_err(|why| format!("{name:?}: {why}"))?;
                 let turns = mesh.turned_in == Some(reading);
                 let scaled = |v: &[f64; 3]| {
                     let v = if turns { z_up(*v) } else { *v };
@@ -220,9 +229,9 @@ impl<'a> Shapes<'a> {
                 };
                 let reach = Reach::of(mesh.outline().iter().map(scaled));
                 let solid = if turns { solid.z_up() } else { *solid };
-                (solid.scaled(*scale)?, reach, *kind)
+                (solid.scaled(scale)?, reach, *kind)
             }
-            shape => {
+            (shape, None) => {
                 let primitive = Primitive::of(shape).map_err(|error| error.to_string())?;
                 let reach = primitive.reach(&geometry.pose);
                 let body = primitive.mass_properties().map_err(|error| error.to_string())?;
@@ -245,13 +254,37 @@ impl<'a> Shapes<'a> {
         }
     }
 
-    /// Returns the triangles of a mesh file for display: in metres, in the most common convention,
-    /// before scaling and placing. They need not bound a solid.
+    /// Returns the triangles of a mesh for display: in the most common convention, before scaling and
+    /// placing. They need not bound a solid. Returns `None` if the shape is not a mesh.
     ///
     /// # Errors
-    /// Returns the reason in words why the file cannot be read.
-    pub fn surface(&self, path: &Path) -> Result<Arc<TriangleMesh>, String> {
-        Ok(self.mesh(path)?.usual.clone())
+    /// Returns the reason in words why the mesh cannot be read.
+    pub fn surface(&self, shape: &GeometryShape) -> Option<Result<Arc<TriangleMesh>, String>> {
+        Some(self.mesh_of(shape)?.map(|found| found.mesh.usual.clone()))
+    }
+
+    /// Returns the mesh of a shape; `None` if the shape is not a mesh.
+    fn mesh_of<'s>(&self, shape: &'s GeometryShape) -> Option<Result<ShapeMesh<'s>, String>> {
+        let (name, scale, mesh) = match shape {
+            GeometryShape::Mesh { uri, path, scale } => {
+                let path = path.as_ref().map_err(String::clone);
+                (&uri.text, scale, path.and_then(|path| self.mesh(path)))
+            }
+            GeometryShape::Inline { name, mesh, scale } => {
+                let mesh = mesh.as_ref().map_err(String::clone);
+                (name, scale, mesh.and_then(|mesh| self.inline_mesh(mesh)))
+            }
+            _ => return None,
+        };
+        let found = mesh.map(|mesh| ShapeMesh { mesh, name, scale: *scale });
+        Some(found.map_err(|why| format!("{name:?}: {why}")))
+    }
+
+    fn inline_mesh(&self, inline: &Arc<InlineMesh>) -> Result<Arc<Mesh>, String> {
+        if !(self.goes_on)() {
+            return Err(ENDED.to_owned());
+        }
+        self.inline.mesh(inline, |inline| Mesh::of_inline(inline, self.threads, self.goes_on))
     }
 
     fn mesh(&self, path: &Path) -> Result<Arc<Mesh>, String> {

@@ -38,6 +38,7 @@ mod found;
 pub mod geometry;
 pub mod inertia;
 pub mod inertials;
+mod inline_mesh;
 pub mod inspect;
 mod json;
 pub mod line_index;

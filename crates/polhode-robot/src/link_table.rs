@@ -232,7 +232,7 @@ fn kind(shape: &GeometryShape) -> &str {
         GeometryShape::Capsule { .. } => "capsule",
         GeometryShape::Ellipsoid(_) => "ellipsoid",
         GeometryShape::Cone { .. } => "cone",
-        GeometryShape::Mesh { .. } => "mesh",
+        GeometryShape::Mesh { .. } | GeometryShape::Inline { .. } => "mesh",
         GeometryShape::Other(name) => name,
     }
 }

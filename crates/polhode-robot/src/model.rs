@@ -2,10 +2,12 @@
 //! keeps its text and its position.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use polhode_source::Failure;
 
 use crate::finding::Severity;
+pub use crate::inline_mesh::InlineMesh;
 pub use crate::span::Span;
 pub use polhode_source::xml::{Name, Number};
 
@@ -343,6 +345,15 @@ pub enum GeometryShape {
         /// Scale factors along x, y, z. A negative factor mirrors the mesh.
         scale: [f64; 3],
     },
+    /// Triangle mesh in the model itself: a `Mesh` prim of USD, or `vertex` and `face` of MJCF.
+    Inline {
+        /// Path of the prim, or name of the asset.
+        name: String,
+        /// Triangles; or the reason why there are none.
+        mesh: Result<Arc<InlineMesh>, String>,
+        /// Factors from the model's unit to metres along x, y, z. A negative factor mirrors the mesh.
+        scale: [f64; 3],
+    },
     /// Shape without a volume of its own, such as a plane or a height field; its name.
     Other(String),
 }
@@ -365,6 +376,9 @@ impl GeometryShape {
             Self::Mesh { uri, path, scale } => {
                 Self::Mesh { uri: uri.clone(), path: path.clone(), scale: scale.map(|c| factor * c) }
             }
+            Self::Inline { name, mesh, scale } => {
+                Self::Inline { name: name.clone(), mesh: mesh.clone(), scale: scale.map(|c| factor * c) }
+            }
             Self::Other(name) => Self::Other(name.clone()),
         }
     }
@@ -375,6 +389,7 @@ impl GeometryShape {
             Self::Mesh { uri, path, .. } => {
                 uri.text.len() + path.as_ref().map_or_else(String::len, |path| path.as_os_str().len())
             }
+            Self::Inline { name, mesh, .. } => name.len() + mesh.as_ref().err().map_or(0, String::len),
             Self::Other(name) => name.len(),
             _ => 0,
         }

@@ -82,7 +82,7 @@ fn of_shape(
             &["radius", "length"]
         }
         GeometryShape::Ellipsoid(_) => &["radii"],
-        GeometryShape::Other(_) => return None,
+        GeometryShape::Inline { .. } | GeometryShape::Other(_) => return None,
     };
     let mut edits = Vec::new();
     for name in names {

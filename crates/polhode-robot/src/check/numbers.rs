@@ -100,7 +100,9 @@ fn has_size(shape: &GeometryShape) -> bool {
         GeometryShape::Cylinder { radius, length }
         | GeometryShape::Capsule { radius, length }
         | GeometryShape::Cone { radius, length } => sizes(&[*radius, *length]),
-        GeometryShape::Mesh { scale, .. } => scale.iter().all(|x| *x != 0.0 && x.is_finite()),
+        GeometryShape::Mesh { scale, .. } | GeometryShape::Inline { scale, .. } => {
+            scale.iter().all(|x| *x != 0.0 && x.is_finite())
+        }
         GeometryShape::Other(_) => true,
     }
 }

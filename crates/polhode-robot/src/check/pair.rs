@@ -18,6 +18,8 @@
 //! because they lie in the mirror plane, the joint positions determine the plane. Links with the
 //! same meshes at the same poses are the same part.
 
+use std::sync::Arc;
+
 use std::collections::HashMap;
 
 use super::body::{Body, NAMES};
@@ -193,11 +195,13 @@ fn pair(left: &Body, right: &Body, joints: [Option<&Joint>; 2], findings: &mut V
 /// Returns true if both links have meshes, and the same ones at the same poses.
 fn have_the_same_meshes(left: &Link, right: &Link) -> bool {
     let meshes = |link: &Link| -> Vec<_> {
-        let mesh = |geometry: &Geometry| match &geometry.shape {
-            GeometryShape::Mesh { uri, scale, .. } => {
-                Some((uri.text.clone(), *scale, geometry.pose.position, geometry.pose.rotation))
-            }
-            _ => None,
+        let mesh = |geometry: &Geometry| {
+            let (text, inline, scale) = match &geometry.shape {
+                GeometryShape::Mesh { uri, scale, .. } => (Some(uri.text.clone()), None, *scale),
+                GeometryShape::Inline { mesh: Ok(mesh), scale, .. } => (None, Some(Arc::clone(mesh)), *scale),
+                _ => return None,
+            };
+            Some((text, inline, scale, geometry.pose.position, geometry.pose.rotation))
         };
         link.geometry.iter().filter_map(mesh).collect()
     };

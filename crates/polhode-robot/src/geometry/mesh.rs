@@ -1,4 +1,4 @@
-//! Mesh file of a model: its triangles, and the volume that they enclose.
+//! Mesh of a model: its triangles, and the volume that they enclose.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -8,13 +8,14 @@ use polhode::body::shape::{Shape, Substance};
 use polhode::body::{BodyError, MassProperties};
 use polhode_shape::mesh::collada;
 use polhode_shape::mesh::collada::UpAxis;
-use polhode_shape::mesh::{MeshContents, MeshFormat};
+use polhode_shape::mesh::{MeshContents, MeshFormat, MeshPart};
 use polhode_source::files::Files;
 use polhode_source::read_text_file;
 
 use super::{ENDED, MeshReading, Solid, VolumeKind, z_up};
+use crate::model::InlineMesh;
 
-/// Mesh file in metres, in its own frame, as written.
+/// Mesh in its own frame, as written; a file is in metres.
 #[derive(Debug)]
 pub(super) struct Mesh {
     /// All triangles.
@@ -73,6 +74,27 @@ impl Mesh {
             _ => mesh.surface.clone(),
         };
         Ok(Self { turned_in, usual, ..mesh })
+    }
+
+    /// Measures a mesh that is written in the model.
+    pub(super) fn of_inline(
+        inline: &InlineMesh,
+        threads: usize,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Self, String> {
+        let mesh = inline.surface().clone();
+        if !inline.is_hull() {
+            let parts = vec![MeshPart { name: String::new(), mesh }];
+            let (name, findings) = (String::new(), Vec::new());
+            let contents = MeshContents { encoding: "text", name, unit: None, parts, findings };
+            return Self::of(contents, threads, goes_on);
+        }
+        let points = mesh.with_shared_vertices(threads);
+        let hull = ConvexHull::of(points.coordinates()).map_err(|error| error.to_string())?;
+        let measured = Measured::hull(&hull, threads);
+        let surface = Arc::new(hull);
+        let usual = surface.clone();
+        Ok(Self { surface, usual, measured, parts: Vec::new(), mixes_winding: false, turned_in: None })
     }
 
     fn of(

@@ -14,7 +14,7 @@ use super::Mesh;
 use crate::model::{GeometryShape, RobotModel};
 
 /// Mesh that is read at the first request; concurrent requests wait for it.
-type MeshOnce = OnceLock<Result<Arc<Mesh>, String>>;
+pub(super) type MeshOnce = OnceLock<Result<Arc<Mesh>, String>>;
 
 /// Thread-safe cache of meshes.
 #[derive(Debug, Default)]
@@ -62,7 +62,7 @@ impl MeshFiles {
     }
 }
 
-fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+pub(super) fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

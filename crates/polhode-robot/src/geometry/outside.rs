@@ -1,11 +1,11 @@
 //! Distance of a point from the convex hull of all shapes of a link.
 
-use crate::model::{GeometryShape, Link, Pose};
+use crate::model::{Link, Pose};
 use crate::pose::dot;
 
 use super::primitive::Primitive;
 use super::separation::distance;
-use super::{MeshReading, Shapes, z_up};
+use super::{MeshReading, ShapeMesh, Shapes, z_up};
 
 /// Support function of a convex part of the hull: its farthest point in a direction.
 type Support<'s> = Box<dyn Fn([f64; 3]) -> [f64; 3] + 's>;
@@ -23,15 +23,14 @@ impl Shapes<'_> {
             if !geometry.pose.unreadable.is_empty() {
                 return None;
             }
-            match &geometry.shape {
-                GeometryShape::Other(_) => return None,
-                GeometryShape::Mesh { path, scale, .. } => {
-                    let mesh = self.mesh(path.as_ref().ok()?).ok()?;
+            match self.mesh_of(&geometry.shape) {
+                Some(found) => {
+                    let ShapeMesh { mesh, scale, .. } = found.ok()?;
                     mesh.measured.as_ref().ok()?;
-                    meshes.push((mesh, *scale, &geometry.pose));
+                    meshes.push((mesh, scale, &geometry.pose));
                 }
-                shape => {
-                    let primitive = Primitive::of(shape).ok()?;
+                None => {
+                    let primitive = Primitive::of(&geometry.shape).ok()?;
                     let pose = &geometry.pose;
                     parts.push(Box::new(move |direction| primitive.support(pose, direction)));
                 }

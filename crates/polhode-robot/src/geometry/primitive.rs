@@ -51,7 +51,9 @@ impl Primitive {
                 shape: Box::new(Cone::new(radius, 0.0, length)?),
                 outline: Outline::Cone { half: 0.5 * length, radius },
             },
-            GeometryShape::Mesh { .. } | GeometryShape::Other(_) => return Err(none),
+            GeometryShape::Mesh { .. } | GeometryShape::Inline { .. } | GeometryShape::Other(_) => {
+                return Err(none);
+            }
         })
     }
 

@@ -21,8 +21,8 @@ use super::outside::farthest;
 use super::polyhedron::Polyhedra;
 use super::primitive::Primitive;
 use super::separation::distance;
-use super::{MeshReading, Shapes, Solid, Volume, VolumeKind};
-use crate::model::{Geometry, GeometryShape, Link, Pose, Role, Span};
+use super::{MeshReading, ShapeMesh, Shapes, Solid, Volume, VolumeKind};
+use crate::model::{Geometry, Link, Pose, Role, Span};
 use crate::pose::{dot, sum};
 
 /// Part of the size of two shapes by which they may overlap and still count as touching.
@@ -149,15 +149,14 @@ impl Shapes<'_> {
             return Err(format!("its pose has {:?}, which is not a finite number", number.text));
         }
         let pose = Pose::new(geometry.pose.position, geometry.pose.rotation);
-        let GeometryShape::Mesh { uri, path, scale } = &geometry.shape else {
+        let Some(found) = self.mesh_of(&geometry.shape) else {
             let whole = self.geometry(geometry)?;
             let primitive = Primitive::of(&geometry.shape).map_err(|error| error.to_string())?;
             let pieces = vec![(String::new(), whole.clone())];
             return Ok(Candidate { shape: k, form: Form::Primitive(primitive, pose), pieces, whole });
         };
-        let named = |why: String| format!("{:?}: {why}", uri.text);
-        let path = path.as_ref().map_err(|why| named(why.clone()))?;
-        let mesh = self.mesh(path).map_err(named)?;
+        let ShapeMesh { mesh, name, scale } = found?;
+        let named = |why: String| format!("{name:?}: {why}");
         if mesh.turned_in.is_some() {
             return Err(named("programs disagree on its up axis; export it as STL or OBJ".to_owned()));
         }
@@ -168,7 +167,7 @@ impl Shapes<'_> {
         solid.triangles += mesh.usual.triangles().len();
         solid.error = solid.error.max(OF_MESH);
         let whole = self.geometry_as(geometry, MeshReading::Usual)?;
-        let form = Form::Mesh(Arc::clone(&mesh), *scale, pose);
+        let form = Form::Mesh(Arc::clone(&mesh), scale, pose);
         if whole.kind == VolumeKind::Closed && mesh.parts.len() < 2 {
             let pieces = vec![(String::new(), whole.clone())];
             return Ok(Candidate { shape: k, form, pieces, whole });
@@ -178,7 +177,7 @@ impl Shapes<'_> {
             MeshUnion::watched(&mesh.usual, self.goes_on).map_err(|error| named(error.to_string()))?;
         if union.solid().is_some() && mesh.parts.len() > 1 {
             let placed = |(name, part): &(String, Solid)| {
-                let solid = part.scaled(*scale)?;
+                let solid = part.scaled(scale)?;
                 Ok((name.clone(), whole.with_solid(&solid, &geometry.pose)))
             };
             let pieces = mesh.parts.iter().map(placed).collect::<Result<_, String>>()?;
@@ -188,7 +187,7 @@ impl Shapes<'_> {
         solid.shared += union.shared() * scale.iter().product::<f64>().abs();
         let body =
             union.mass_properties(Substance::Density(1.0)).map_err(|error| named(error.to_string()))?;
-        let united = Solid::of(&body).scaled(*scale)?;
+        let united = Solid::of(&body).scaled(scale)?;
         let whole = Volume { kind: VolumeKind::Closed, ..whole.with_solid(&united, &geometry.pose) };
         let pieces = vec![(String::new(), whole.clone())];
         Ok(Candidate { shape: k, form, pieces, whole })

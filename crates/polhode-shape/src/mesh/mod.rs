@@ -41,6 +41,7 @@ use crate::finding::warning;
 pub use assumed_unit::{AssumedMetres, longest_side};
 pub use closure::{MeshClosure, UnboundedClosure};
 pub use length::MeshLength;
+pub use polygon::Polygons;
 pub use repair::{MeshRepair, RepairBound};
 pub(crate) use share::percent_above;
 pub use share::{Fraction, Share};

@@ -27,8 +27,16 @@ use crate::finding::warning;
 const SMALL: usize = 16;
 
 /// Splits polygons into triangles; reuses its buffers.
+///
+/// ```
+/// use polhode_shape::mesh::Polygons;
+/// let square = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 3.0, 0.0], [0.0, 3.0, 0.0]];
+/// let mut triangles = Vec::new();
+/// Polygons::default().split(&square, &[0, 1, 2, 3], &mut triangles);
+/// assert_eq!(triangles, [[0, 1, 2], [0, 2, 3]]);
+/// ```
 #[derive(Debug, Default)]
-pub(crate) struct Polygons {
+pub struct Polygons {
     /// Number of polygons so far whose triangles overlap.
     pub crossed: usize,
     /// Corners in the plane.
@@ -38,7 +46,7 @@ pub(crate) struct Polygons {
 
 impl Polygons {
     /// Appends the triangles of the polygon with these corners, which must exist.
-    pub(crate) fn split(&mut self, vertices: &[[f64; 3]], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
+    pub fn split(&mut self, vertices: &[[f64; 3]], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
         match *corners {
             [] | [_] | [_, _] => return,
             [a, b, c] => return triangles.push([a, b, c]),

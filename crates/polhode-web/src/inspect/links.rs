@@ -1,14 +1,13 @@
 //! Shapes of a robot's links: visual shapes, or collision shapes of a link without visual ones.
 
 use std::collections::HashMap;
-use std::path::Path;
 use std::sync::Arc;
 
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{BodyError, Form, PlacedForm};
 use polhode::math::{Position, Rotation};
 use polhode_robot::geometry::Shapes;
-use polhode_robot::model::{Geometry, GeometryShape, Link, RobotModel, Role, Span};
+use polhode_robot::model::{Geometry, GeometryShape, Link, Name, RobotModel, Role, Span};
 use polhode_scenario::report::display::{decimated, shape_of};
 use serde_json::{Value, json};
 
@@ -61,18 +60,15 @@ struct Meshes<'a, 'b> {
     measured: &'a Shapes<'b>,
     /// Number of triangles of all meshes, counted as often as the robot has them.
     triangles: usize,
-    coarse: HashMap<&'a Path, Arc<TriangleMesh>>,
+    /// Coarser meshes by the address of the surface, which `measured` keeps.
+    coarse: HashMap<*const TriangleMesh, Arc<TriangleMesh>>,
 }
 
 impl<'a> Meshes<'a, '_> {
     /// Returns the number of triangles of a shape.
     fn count(&mut self, geometry: &Geometry) -> usize {
-        match &geometry.shape {
-            GeometryShape::Mesh { path: Ok(path), .. } => {
-                self.measured.surface(path).map_or(0, |surface| surface.triangles().len())
-            }
-            _ => 0,
-        }
+        let surface = self.measured.surface(&geometry.shape).and_then(Result::ok);
+        surface.map_or(0, |surface| surface.triangles().len())
     }
 
     /// Returns a shape in its link's frame, or the reason why it is not shown.
@@ -105,12 +101,12 @@ impl<'a> Meshes<'a, '_> {
                 (Form::Capsule { radius, length }, vec![radius, length])
             }
             GeometryShape::Ellipsoid(semi_axes) => (Form::Ellipsoid { semi_axes }, semi_axes.to_vec()),
-            GeometryShape::Mesh { ref uri, ref path, scale } => {
-                let named = |why: &str| format!("{:?}: {why}", uri.text);
-                let path = path.as_ref().map_err(|why| named(why))?;
-                let surface = self.measured.surface(path).map_err(|why| named(&why))?;
-                let mesh = scaled(self.coarse(path, &surface).as_ref(), scale);
-                let mesh = mesh.map_err(|error| named(&error.to_string()))?;
+            GeometryShape::Mesh { uri: Name { text: ref name, .. }, scale, .. }
+            | GeometryShape::Inline { ref name, scale, .. } => {
+                let surface = self.measured.surface(shape).unwrap_or_else(|| Err("not a mesh".to_owned()));
+                let surface = surface?;
+                let mesh = scaled(self.coarse(&surface).as_ref(), scale);
+                let mesh = mesh.map_err(|error| format!("{name:?}: {error}"))?;
                 return Ok((Form::Mesh(mesh), surface.triangles().len()));
             }
             GeometryShape::Cone { .. } => return Err("cones are not supported".to_owned()),
@@ -123,13 +119,13 @@ impl<'a> Meshes<'a, '_> {
     }
 
     /// Returns a mesh with its share of the triangles.
-    fn coarse(&mut self, path: &'a Path, surface: &Arc<TriangleMesh>) -> Arc<TriangleMesh> {
+    fn coarse(&mut self, surface: &Arc<TriangleMesh>) -> Arc<TriangleMesh> {
         if self.triangles <= TRIANGLES {
             return surface.clone();
         }
         let part = surface.triangles().len() as f64 / self.triangles as f64;
         let coarse = || Arc::new(decimated(surface, (part * TRIANGLES as f64) as usize));
-        self.coarse.entry(path).or_insert_with(coarse).clone()
+        self.coarse.entry(Arc::as_ptr(surface)).or_insert_with(coarse).clone()
     }
 }
 

@@ -102,7 +102,9 @@ fn parts(
             )));
         }
         let volume = shapes.geometry(geometry).map_err(|why| match geometry.shape {
-            GeometryShape::Mesh { .. } | GeometryShape::Other(_) => Fault::Unknown(why),
+            GeometryShape::Mesh { .. } | GeometryShape::Inline { .. } | GeometryShape::Other(_) => {
+                Fault::Unknown(why)
+            }
             _ => Fault::Refused(why),
         })?;
         if volume.kind == VolumeKind::Hull {

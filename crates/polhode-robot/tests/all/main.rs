@@ -45,6 +45,7 @@ mod urdf;
 mod usd;
 mod usd_colliders;
 mod usd_layers;
+mod usd_meshes;
 mod usd_stages;
 mod usd_stated;
 mod valid_models;

@@ -1,6 +1,7 @@
 //! Attributes with `timeSamples`, `connect` or `spline` instead of a single value. They are not
 //! read: `read.animated`.
 
+use super::array::ARRAYS;
 use super::layer::Prim;
 use crate::finding::Severity;
 use crate::model::{Note, Span};
@@ -20,12 +21,20 @@ pub(super) fn of_mass(prim: &Prim, attributes: &[&str], notes: &mut Vec<Note>) -
 
 /// Reports such an attribute of the size or pose of a shape; returns true if there is one.
 pub(super) fn of_shape(prim: &Prim, link: &str, notes: &mut Vec<Note>) -> bool {
-    let is_shape =
-        |name: &str| matches!(name, "size" | "radius" | "height" | "axis") || name.starts_with("xformOp:");
+    let is_shape = |name: &str| {
+        matches!(name, "size" | "radius" | "height" | "axis")
+            || name.starts_with("xformOp:")
+            || ARRAYS.contains(&name) && prim.properties.contains_key(name)
+    };
     let Some((name, span)) = first(prim, is_shape) else { return false };
     let message = format!("{name} of {} is not read; the shape is used without it", prim.path);
     notes.push(Note::new("read.animated", link, span, message));
     true
+}
+
+/// Returns the name of such an attribute of a mesh that has no single value.
+pub(super) fn of_mesh<'p>(prim: &'p Prim, name: &str) -> Option<&'p str> {
+    first(prim, |own| own == name).map(|(name, _)| name)
 }
 
 /// Returns the first such attribute, in file order.

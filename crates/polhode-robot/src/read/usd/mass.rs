@@ -13,7 +13,7 @@ use super::path::absolute;
 use super::xform::numbers;
 use super::{Stage, applies};
 use crate::geometry::Shapes;
-use crate::model::{ComputedMass, Geometry, Link, Note, Pose};
+use crate::model::{ComputedMass, Geometry, GeometryShape, Link, Note, Pose};
 use crate::moments::{Elements, parallel_axes, rotated, scaled};
 use crate::pose::unit;
 use crate::read::computed::in_words;
@@ -146,6 +146,12 @@ fn collider(
         return Err(format!("{:?} in the pose of {} is not a number", unreadable.text, prim.path));
     }
     let stated = Stated::of(stage, prim)?;
+    if matches!(geometry.shape, GeometryShape::Inline { .. }) {
+        return Err(format!(
+            "{}: a physics engine computes the mass of a mesh from its own approximation",
+            prim.path
+        ));
+    }
     let volume = Shapes::with_threads(1).geometry(geometry).map_err(|why| format!("{}: {why}", prim.path))?;
     let density = match density(stage, prim)?.or(of_body) {
         Some(density) => Some(density),

@@ -10,6 +10,7 @@
 //!
 //! Source: openusd.org, "Rigid Body Physics in USD"; the schemas UsdPhysics and UsdGeom.
 
+mod array;
 mod body;
 mod changing;
 mod composed;
@@ -18,6 +19,7 @@ mod joint;
 mod layer;
 mod mass;
 mod mass_site;
+mod mesh;
 mod path;
 mod shape;
 mod statement;
@@ -38,6 +40,7 @@ use crate::finding::Severity;
 use crate::model::{Geometry, GeometryShape, ModelFormat, Note, Pose, RobotModel, Role};
 use layer::{Layer, Prim, require_short};
 use mass::Colliders;
+use mesh::Meshes;
 use unit::Units;
 use xform::Affine;
 
@@ -111,6 +114,7 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
     let stage = Stage::of(layer, units);
     let mut links = HashMap::new();
     let mut colliders: Vec<Colliders<'_>> = Vec::new();
+    let mut meshes = Meshes::default();
     for (k, prim) in layer.prims.iter().enumerate() {
         if stage.is_body(k) {
             links.insert(k, model.links.len());
@@ -133,7 +137,11 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
         let changes = changing::of_shape(prim, &link.name.text, &mut model.notes);
         let frame = Pose::new(link.pose.position, link.pose.rotation);
         let is_collider = applies(prim, "PhysicsCollisionAPI") && !prim.is_off("physics:collisionEnabled");
-        match shape::geometry(&stage, k, prim, &frame) {
+        let geometry = match prim.kind.as_str() {
+            "Mesh" => mesh::geometry(&stage, k, prim, &frame, &mut meshes),
+            _ => shape::geometry(&stage, k, prim, &frame),
+        };
+        match geometry {
             Some(geometry) => {
                 if is_collider {
                     own.shapes.push((k, link.geometry.len()));
@@ -161,6 +169,7 @@ fn fill(layer: &Layer, bytes: usize, model: &mut RobotModel) -> Result<(), Conte
             }
         }
     }
+    model.notes.extend(meshes.note());
     unread_shapes(model);
     for (link, own) in model.links.iter_mut().zip(&colliders) {
         own.compute(&stage, link, &mut model.notes);
@@ -205,7 +214,9 @@ fn twice(layer: &Layer, notes: &mut Vec<Note>) {
     const NAMES: [&str; 7] =
         ["metersPerUnit", "kilogramsPerUnit", "xformOpOrder", "size", "radius", "height", "axis"];
     let matters = |name: &str| {
-        NAMES.contains(&name) || ["physics:", "physx", "xformOp:"].iter().any(|start| name.starts_with(start))
+        NAMES.contains(&name)
+            || array::ARRAYS.contains(&name)
+            || ["physics:", "physx", "xformOp:"].iter().any(|start| name.starts_with(start))
     };
     for (prim, name, span) in layer.twice.iter().filter(|(_, name, _)| matters(name)) {
         let message = format!("a second {name}: only the last one is read");

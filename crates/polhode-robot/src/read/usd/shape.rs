@@ -21,7 +21,6 @@ pub(super) fn geometry(stage: &Stage<'_>, k: usize, prim: &Prim, body: &Pose) ->
         "Sphere" => GeometryShape::Sphere(radius(1.0)),
         "Cylinder" => GeometryShape::Cylinder { radius: radius(1.0), length: height(2.0) },
         "Capsule" => GeometryShape::Capsule { radius: radius(0.5), length: height(1.0) },
-        "Mesh" => GeometryShape::Other("a USD mesh, which is not read,".to_owned()),
         "Cone" => GeometryShape::Cone { radius: radius(1.0), length: height(2.0) },
         "Plane" | "Points" | "BasisCurves" | "NurbsPatch" => GeometryShape::Other(prim.kind.to_lowercase()),
         _ => return None,

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use polhode_source::{ContentError, ContentErrorKind};
 
+use super::array::{self, ARRAYS};
 use super::token::{Token, TokenKind};
 use super::value::Value;
 use crate::model::{Number, Span};
@@ -143,7 +144,12 @@ impl<'t, 's> Reader<'t, 's> {
             self.own_metadata()?;
             return Ok(None);
         }
-        let value = self.value()?;
+        let mut value = self.value()?;
+        if ARRAYS.contains(&name) && value.array.is_none() {
+            // An array with comments, which was split into tokens.
+            let numbers = value.numbers.drain(..).map(|number| number.value.unwrap_or(f64::NAN));
+            value.array = Some(numbers.collect());
+        }
         self.own_metadata()?;
         Ok(Some(Property { name: name.to_owned(), edit, value }))
     }
@@ -183,6 +189,7 @@ impl<'t, 's> Reader<'t, 's> {
                     span: token.span.clone(),
                     value: text.parse().ok(),
                 }),
+                TokenKind::Array(text) => value.array = Some(array::numbers(text)),
                 // The keyword for no value.
                 TokenKind::Word("None") => {}
                 TokenKind::Word(word) => value.words.push((*word).to_owned()),

@@ -2,6 +2,7 @@
 
 use polhode_source::{ContentError, ContentErrorKind};
 
+use super::array;
 use crate::model::Span;
 
 /// Token with its position, without quotes.
@@ -25,6 +26,8 @@ pub(super) enum TokenKind<'s> {
     Path(&'s str),
     /// Asset in `@@`.
     Asset(&'s str),
+    /// Array of numbers with its brackets, not split into tokens.
+    Array(&'s str),
     /// Any other character.
     Mark(char),
 }
@@ -43,6 +46,7 @@ impl TokenKind<'_> {
             | Self::Text(text)
             | Self::Path(text)
             | Self::Asset(text) => (*text).to_owned(),
+            Self::Array(_) => "[".to_owned(),
             Self::Mark(mark) => mark.to_string(),
         }
     }
@@ -50,7 +54,7 @@ impl TokenKind<'_> {
 
 /// Splits a text into tokens; comments are skipped.
 pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ContentError> {
-    let mut tokens = Vec::new();
+    let mut tokens: Vec<Token<'_>> = Vec::new();
     let (mut at, mut begins_line) = (0, true);
     while let Some(rest) = text.get(at..)
         && let Some(first) = rest.chars().next()
@@ -62,6 +66,16 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ContentError> {
         }
         if first == '#' {
             at += rest.find(['\n', '\r']).unwrap_or(rest.len());
+            continue;
+        }
+        if let ('[', [.., name, equals]) = (first, tokens.as_slice())
+            && let (true, TokenKind::Word(name)) = (equals.is('='), &name.kind)
+            && let Some(length) = array::length(name, rest)
+        {
+            let kind = TokenKind::Array(rest.get(..length).unwrap_or_default());
+            tokens.push(Token { kind, span: at..at + length, begins_line });
+            begins_line = false;
+            at += length;
             continue;
         }
         // Opening and closing delimiters of texts.

@@ -1,5 +1,7 @@
 //! Value of a property or of a metadata key.
 
+use std::sync::Arc;
+
 use crate::model::{Number, Span};
 
 /// Value of a property or metadata key.
@@ -9,6 +11,8 @@ pub(super) struct Value {
     pub(super) numbers: Vec<Number>,
     /// Strings, words, paths and assets, without delimiters.
     pub(super) words: Vec<String>,
+    /// Numbers of an attribute that is stored as an array.
+    pub(super) array: Option<Arc<[f64]>>,
 }
 
 impl Value {

@@ -77,13 +77,18 @@ impl Affine {
     pub(super) fn scaled_pose(&self) -> Option<([f64; 3], Pose)> {
         /// Tolerance for orthogonal axes: rounding in single precision.
         const RIGHT: f64 = 1e-5;
+        self.scaled_pose_within(RIGHT)
+    }
+
+    /// Works like [`Affine::scaled_pose`], with this tolerance for the cosines between the axes.
+    pub(super) fn scaled_pose_within(&self, tolerance: f64) -> Option<([f64; 3], Pose)> {
         let columns = [0, 1, 2].map(|k| self.linear.map(|row| row[k]));
         let lengths = columns.map(|column| dot(column, column).sqrt());
         if lengths.iter().any(|length| !(*length > 0.0 && length.is_finite())) {
             return None;
         }
         let [x, y, z] = [0, 1, 2].map(|k| columns[k].map(|c| c / lengths[k]));
-        if dot(x, y).abs().max(dot(y, z).abs()).max(dot(x, z).abs()) > RIGHT {
+        if dot(x, y).abs().max(dot(y, z).abs()).max(dot(x, z).abs()) > tolerance {
             return None;
         }
         let rotation = crate::pose::of_x_and_y(x, y)?;

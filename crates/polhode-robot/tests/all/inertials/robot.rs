@@ -39,6 +39,15 @@ pub(super) fn wedge() -> String {
     corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
 }
 
+/// The tetrahedron as arrays of USD, in centimetres.
+fn wedge_arrays() -> String {
+    let corners = CORNERS.map(|corner| format!("({})", words(corner.map(|c| 100.0 * c), ", "))).join(", ");
+    format!(
+        "int[] faceVertexCounts = [3, 3, 3, 3]\n            int[] faceVertexIndices = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]\n            \
+         point3f[] points = [{corners}]"
+    )
+}
+
 /// Links without the ellipsoid, which URDF does not have; its cylinder touches no other solid.
 pub(super) fn links() -> Vec<Link> {
     let link = |name, density, solids| Link { name, density, solids };
@@ -303,7 +312,7 @@ pub(super) fn mjcf(links: &[Link]) -> String {
     text + &"    </body>\n".repeat(links.len()) + "  </worldbody>\n</mujoco>\n"
 }
 
-/// USD in centimetres and grams; it has no wedge, because the reader does not read USD meshes.
+/// USD in centimetres and grams; the wedge is a `Mesh`.
 pub(super) fn usda(links: &[Link]) -> String {
     let mut text = "#usda 1.0\n(\n    defaultPrim = \"r\"\n    kilogramsPerUnit = 0.001\n    metersPerUnit = 0.01\n)\n\ndef Xform \"r\"\n{\n".to_owned();
     let cm = |v: [f64; 3]| words(v.map(|c| 100.0 * c), ", ");
@@ -327,7 +336,7 @@ pub(super) fn usda(links: &[Link]) -> String {
                 ),
                 Solid::Sphere(r) => ("Sphere", format!("double radius = {}", 100.0 * r), [1.0; 3]),
                 Solid::Ellipsoid(radii) => ("Sphere", "double radius = 100".to_owned(), radii),
-                Solid::Wedge(_) => continue,
+                Solid::Wedge(scale) => ("Mesh", wedge_arrays(), scale),
             };
             let _ = write!(
                 text,

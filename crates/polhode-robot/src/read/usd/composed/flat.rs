@@ -16,8 +16,9 @@ use polhode_source::ContentError;
 use super::layers::{Layers, OwnLayers, failed};
 use super::notes;
 use super::places::Places;
-use super::value::of_value;
+use super::value::{array_of, of_value};
 use crate::model::{Name, Note};
+use crate::read::usd::array::ARRAYS;
 use crate::read::usd::layer::{Layer, Prim};
 use crate::read::usd::value::Value;
 
@@ -29,7 +30,10 @@ const MOST_DEPTH: usize = 500;
 
 /// Start of the names of properties that matter; others may be large.
 const PREFIXES: [&str; 6] = ["physics:", "physx", "newton:", "mjc:", "xformOp", "material:binding"];
-const NAMES: [&str; 4] = ["size", "radius", "height", "axis"];
+const NAMES: [&str; 7] = ["size", "radius", "height", "axis", "orientation", "subdivisionScheme", "purpose"];
+
+/// Arrays of the stage by layer and path of the attribute; instances share them.
+type Arrays = HashMap<(String, String), Arc<[f64]>>;
 
 /// Metadata keys of the root layer that matter.
 const METADATA: [&str; 3] = ["metersPerUnit", "kilogramsPerUnit", "defaultPrim"];
@@ -49,6 +53,7 @@ pub(super) fn flattened(layers: &Arc<Layers>, places: &Places) -> Result<(Layer,
     }
     let mut notes = Vec::new();
     let mut undefined = Vec::new();
+    let mut arrays = Arrays::new();
     let mut waiting = vec![(SpecPath::abs_root(), None, 0)];
     while let Some((path, mut parent, depth)) = waiting.pop() {
         if depth > 0 {
@@ -69,7 +74,7 @@ pub(super) fn flattened(layers: &Arc<Layers>, places: &Places) -> Result<(Layer,
             notes.extend(notes::of_variants(&stage, &prim, places)?);
             notes.extend(notes::of_clips(&prim, places)?);
             notes.extend(notes::of_targets(&stage, &prim, layers, places)?);
-            layer.prims.push(of_prim(&stage, &prim, parent, places)?);
+            layer.prims.push(of_prim(&stage, &prim, parent, places, &mut arrays)?);
             parent = Some(own);
         }
         let children = stage.prim(&path).child_names().map_err(failed)?;
@@ -97,6 +102,7 @@ fn of_prim(
     prim: &StagePrim,
     parent: Option<usize>,
     places: &Places,
+    arrays: &mut Arrays,
 ) -> Result<Prim, ContentError> {
     let path = prim.path();
     let sites = prim.prim_stack().map_err(failed)?;
@@ -104,12 +110,15 @@ fn of_prim(
     let [span, name] = places.of_prim(layer, site);
     let name = Name { text: path.name().unwrap_or_default().to_owned(), span: name };
     let words = api_schemas(stage, prim)?;
-    let schemas = Value { span: places.metadata(layer, site, "apiSchemas"), numbers: Vec::new(), words };
+    let schemas = Value { span: places.metadata(layer, site, "apiSchemas"), words, ..Value::default() };
     let mut properties = HashMap::new();
     for own in prim.property_names().map_err(failed)? {
         let own = own.as_str();
-        if NAMES.contains(&own) || PREFIXES.iter().any(|prefix| own.starts_with(prefix)) {
-            properties.extend(property(stage, prim, own, places)?);
+        if NAMES.contains(&own)
+            || ARRAYS.contains(&own)
+            || PREFIXES.iter().any(|prefix| own.starts_with(prefix))
+        {
+            properties.extend(property(stage, prim, own, places, arrays)?);
         }
     }
     Ok(Prim {
@@ -158,6 +167,7 @@ fn property(
     prim: &StagePrim,
     name: &str,
     places: &Places,
+    arrays: &mut Arrays,
 ) -> Result<Vec<(String, Value)>, ContentError> {
     let attribute = prim.attribute(name.to_owned());
     let mut found = Vec::new();
@@ -172,7 +182,7 @@ fn property(
         if data.spec_type(&site) == Some(SpecType::Relationship) {
             let words: Vec<_> = prim.relationship(name.to_owned()).targets().map_err(failed)?;
             let words = words.iter().map(|target| target.as_str().to_owned()).collect();
-            return Ok(vec![(name.to_owned(), Value { span: place, numbers: Vec::new(), words })]);
+            return Ok(vec![(name.to_owned(), Value { span: place, words, ..Value::default() })]);
         }
         for (field, suffix) in
             [("timeSamples", "timeSamples"), ("spline", "spline"), ("connectionPaths", "connect")]
@@ -184,10 +194,17 @@ fn property(
                 found.push((key, value));
             }
         }
-        if let Some(value) = data.try_field(&site, "default").map_err(failed)? {
+        let key = (id.clone(), site.as_str().to_owned());
+        if let Some(array) = arrays.get(&key).cloned() {
+            found.push((name.to_owned(), Value { span: place, array: Some(array), ..Value::default() }));
+        } else if let Some(value) = data.try_field(&site, "default").map_err(failed)? {
             let value = match (&*value, written) {
                 (sdf::Value::ValueBlock, _) => None,
                 (_, Some(written)) => Some(written),
+                (value, None) if ARRAYS.contains(&name) => {
+                    let array = arrays.entry(key).or_insert_with(|| array_of(value)).clone();
+                    Some(Value { span: place, array: Some(array), ..Value::default() })
+                }
                 (value, None) => Some(of_value(value, place)),
             };
             found.extend(value.map(|value| (name.to_owned(), value)));

@@ -94,5 +94,6 @@ fn moved_value(value: &Value, start: usize) -> Value {
         span: moved(&value.span, start),
         numbers: value.numbers.iter().map(number).collect(),
         words: value.words.clone(),
+        array: value.array.clone(),
     }
 }

@@ -1,5 +1,7 @@
 //! Values of `openusd` as flat lists of numbers and words.
 
+use std::sync::Arc;
+
 use openusd::gf::f16;
 use openusd::sdf;
 
@@ -48,5 +50,19 @@ pub(super) fn of_value(value: &sdf::Value, span: Span) -> Value {
         _ => Vec::new(),
     };
     let number = |text: String| Number { span: span.clone(), value: text.to_lowercase().parse().ok(), text };
-    Value { numbers: numbers.into_iter().map(number).collect(), words, span: span.clone() }
+    Value { numbers: numbers.into_iter().map(number).collect(), words, span: span.clone(), array: None }
+}
+
+/// Returns the numbers of an array, in order: for single precision, the shortest decimals that
+/// identify them. Empty if its type is another one.
+pub(super) fn array_of(value: &sdf::Value) -> Arc<[f64]> {
+    use sdf::Value as V;
+    let single = |x: f32| x.to_string().parse().unwrap_or(f64::NAN);
+    match value {
+        V::IntVec(all) => all.iter().map(|&x| f64::from(x)).collect(),
+        V::Vec3hVec(all) => all.iter().flat_map(|v| [v.x, v.y, v.z]).map(|x| single(x.to_f32())).collect(),
+        V::Vec3fVec(all) => all.iter().flat_map(|v| [v.x, v.y, v.z]).map(single).collect(),
+        V::Vec3dVec(all) => all.iter().flat_map(|v| [v.x, v.y, v.z]).collect(),
+        _ => Arc::default(),
+    }
 }

@@ -2,9 +2,10 @@
 //! `body_ipos`, and `body_inertia` rotated by `body_iquat`.
 
 use polhode_robot::body::link_mass;
+use polhode_robot::geometry::{Shapes, VolumeKind};
 use polhode_robot::read::{ReadOptions, read_model};
 
-use crate::common::{Folder, read};
+use crate::common::{Folder, assert_close, assert_near, read};
 use crate::mjcf_compiler::assert_rows;
 
 const BUILTIN: &str = r#"<mujoco><default><mesh scale="0.5 0.7 1.1"/><default class="solid"><geom type="mesh" pos="0.1 0.2 0.3" euler="20 30 40" density="300"/></default></default><asset>
@@ -190,4 +191,47 @@ fn meshes_without_number_are_refused() {
     ));
     let why = link_mass(model.format, &model.links[0]).unwrap_err().to_string();
     assert!(why.contains("5000000 points"), "{why}");
+}
+
+const VERTICES: [&str; 4] = ["0.1 -0.2 0.05", "1.3 0.2 -0.1", "0.2 1.1 0.3", "0.4 0.3 0.9"];
+
+/// The same mesh as a file and written in the model, in the frame and at the scale of the asset.
+#[test]
+fn a_mesh_in_the_model_has_the_shape_of_its_file() {
+    let mut obj: String = VERTICES.iter().map(|vertex| format!("v {vertex}\n")).collect();
+    obj += "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    let more = r#"refpos="0.1 0.2 -0.1" refquat="1 0.2 0.1 -0.3" scale="0.7 0.7 0.7""#;
+    let mirror = r#"refpos="0.1 0.2 -0.1" scale="0.7 -0.4 1.1""#;
+    let text = |more: &str| {
+        let vertex = VERTICES.join("  ");
+        let geom = |mesh: &str| {
+            format!(
+                r#"<body name="{mesh}"><geom type="mesh" mesh="{mesh}" pos="1 2 3" euler="10 20 30"/></body>"#
+            )
+        };
+        let bodies = ["file", "faces", "hull"].map(geom).concat();
+        format!(
+            r#"<mujoco><asset><mesh name="file" file="tet.obj" {more}/><mesh name="faces" vertex="{vertex}" face="0 2 1 0 1 3 0 3 2 1 2 3" {more}/>
+            <mesh name="hull" vertex="{vertex} 0.5 0.35 0.3" {more}/><mesh name="wrong" vertex="{vertex}" face="0 2 4" {more}/></asset>
+            <worldbody>{bodies}<body name="wrong"><geom type="mesh" mesh="wrong"/></body></worldbody></mujoco>"#
+        )
+    };
+    let folder =
+        Folder::of("inline", &[("one.xml", &text(more)), ("two.xml", &text(mirror)), ("tet.obj", &obj)]);
+    for file in ["one.xml", "two.xml"] {
+        let model = read_model(&folder.path(file), &ReadOptions::default()).unwrap();
+        let shapes = Shapes::default();
+        let [file, faces, hull] = [0, 1, 2].map(|k| shapes.geometry(&model.links[k].geometry[0]).unwrap());
+        for other in [faces, hull] {
+            assert_eq!(other.kind, VolumeKind::Closed);
+            assert!((other.volume / file.volume - 1.0).abs() < 1e-14);
+            assert_close(other.centroid, file.centroid, 1e-14);
+            assert_near(&other.tensor_per_density, &file.tensor_per_density, 1e-15);
+        }
+        let error = shapes.geometry(&model.links[3].geometry[0]).unwrap_err();
+        assert_eq!(
+            error,
+            "\"wrong\": its vertex or face has a wrong number, or an index that does not exist"
+        );
+    }
 }

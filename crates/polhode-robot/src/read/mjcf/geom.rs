@@ -109,8 +109,8 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
                 let asset = self.contexts.get(context).and_then(|context| context.meshes.get(name));
                 return match asset {
                     Some(asset) => {
-                        let (shape, inner) = asset.shape();
-                        (shape, Some(inner).filter(|_| asset.is_file()))
+                        let (shape, inner) = asset.shape(name);
+                        (shape, Some(inner).filter(|_| asset.is_written()))
                     }
                     None => (
                         GeometryShape::Other(format!("the mesh {name:?}, which does not exist in this file")),

@@ -1,12 +1,16 @@
 //! Mesh files as MuJoCo reads them: only the first shape of an OBJ file, all of STL and MSH.
 
 use std::path::Path;
+use std::sync::Arc;
+
+use polhode::body::mesh::{ConvexHull, TriangleMesh};
 
 use polhode_source::files::Files;
 use polhode_source::{read_file, read_text_file};
 
 use polhode_shape::mesh::{MeshContents, MeshFormat};
 
+use crate::model::InlineMesh;
 use crate::read::xml::Element;
 
 /// Vertices and triangles. Without triangles it is a point cloud.
@@ -28,6 +32,20 @@ impl Surface {
         }
         let triangles = faces.as_chunks().0.iter().map(|corners| corners.map(|c| c as u32)).collect();
         Some(Self { vertices, triangles })
+    }
+
+    /// Returns the mesh of vertices and faces in the model; without faces, their convex hull, as in
+    /// MuJoCo.
+    pub(super) fn mesh(&self) -> Result<Arc<InlineMesh>, String> {
+        if self.vertices.is_empty() {
+            return Err("its vertex or face has a wrong number, or an index that does not exist".to_owned());
+        }
+        let surface = match self.triangles.is_empty() {
+            true => ConvexHull::of(&self.vertices),
+            false => TriangleMesh::new(self.vertices.clone(), self.triangles.clone()),
+        };
+        let surface = surface.map_err(|error| error.to_string())?;
+        Ok(Arc::new(InlineMesh::new(surface, false)))
     }
 
     /// Reads a mesh file.

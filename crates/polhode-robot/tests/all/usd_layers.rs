@@ -5,6 +5,8 @@ use std::path::Path;
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::check::check;
 use polhode_robot::finding::Severity;
+use polhode_robot::geometry::Shapes;
+use polhode_robot::inspect::inspect;
 use polhode_robot::model::{Note, RobotModel};
 use polhode_robot::read::{ReadOptions, read_model};
 use polhode_source::FormatError;
@@ -353,7 +355,7 @@ fn shapes_beside_content_that_is_not_read_prove_nothing() {
     };
     let codes = |more: &str| {
         let model = texts(&[("robot.usda", &layer("", &prims(more)))]).unwrap();
-        check(&model).iter().map(|finding| finding.code).collect::<Vec<_>>()
+        inspect(&model, &Shapes::default()).findings.iter().map(|finding| finding.code).collect::<Vec<_>>()
     };
     assert!(codes("").contains(&"density.implausible"));
     let found = codes("    def \"visuals\" (references = @gone.usda@)\n    {\n    }\n");

@@ -51,5 +51,5 @@ fn needs_full(request: &Request, files: &Memory) -> bool {
     };
     let has_policy =
         request.config.is_some() || request.baseline.is_some() || files.is_file("polhode.toml".as_ref());
-    has_policy || files.all().any(|(path, bytes)| is_other_mesh(path) || is_other(bytes))
+    has_policy || request.nearest || files.all().any(|(path, bytes)| is_other_mesh(path) || is_other(bytes))
 }

@@ -51,7 +51,9 @@ pub fn inspect_for(model: &RobotModel, shapes: &Shapes<'_>, programs: &[Program]
         findings.append(&mut unmeasured_shapes(link, geometry, shapes));
     }
     findings.extend(model.notes.iter().map(of_note));
-    trace(model, &mut findings);
+    if cfg!(feature = "languages") {
+        trace(model, &mut findings);
+    }
     findings.sort_by_key(|finding| finding.span.start);
     Inspection { geometry, findings }
 }

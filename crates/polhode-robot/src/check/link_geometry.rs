@@ -45,7 +45,10 @@ impl LinkGeometry {
     /// Measures the shapes of a link. A role counts only if all of its shapes can be measured,
     /// because a part of a body proves nothing.
     pub fn of(link: &Link, shapes: &Shapes<'_>) -> Self {
-        let mut geometry = Self { boxes: shapes.boxes(link), ..Self::measured(link, shapes) };
+        let mut geometry = Self::measured(link, shapes);
+        if cfg!(feature = "languages") {
+            geometry.boxes = shapes.boxes(link);
+        }
         let inertial = link.inertial.as_ref().filter(|inertial| inertial.pose.unreadable.is_empty());
         let Some(inertial) = inertial else { return geometry };
         geometry.outside =

@@ -22,8 +22,12 @@ const NOISE: f64 = 64.0 * f64::EPSILON;
 /// Moment below which a proposed body is a rod, relative to the largest moment.
 const ROD: f64 = 1e-12;
 
-/// Proposes the possible tensors nearest to the body's, if they can be computed.
+/// Proposes the possible tensors nearest to the body's, if they can be computed; none without the
+/// feature `languages`.
 pub(super) fn of(body: &Body) -> Option<Proposal> {
+    if !cfg!(feature = "languages") {
+        return None;
+    }
     let nearest = nearest_possible(matrix(&body.written)).ok()?;
     let proposed = |nearest: Nearest| {
         let exact = elements(&nearest.tensor.matrix());

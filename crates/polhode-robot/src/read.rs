@@ -169,7 +169,8 @@ fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotMod
     if cfg!(feature = "languages") && format_of(&text) == Some(ModelFormat::Usd) {
         return read_usd(text.into_bytes(), path, options);
     }
-    let Some(files) = options.files.beneath(path) else { return read_as(text, path, options) };
+    let beneath = options.files.beneath(path).filter(|_| cfg!(feature = "languages"));
+    let Some(files) = beneath else { return read_as(text, path, options) };
     let expanded = xacro::expanded(path);
     let mut model = read_as(text, &expanded, options)?;
     path.clone_into(&mut model.path);

@@ -15,6 +15,9 @@ use crate::model::{Note, Source, Span};
 use crate::read::uri::Roots;
 use crate::read::xml::{Document, Element, Forest, Links};
 
+/// True in builds that read languages with includes: SDF and MJCF.
+const INCLUDES: bool = cfg!(feature = "languages");
+
 /// Maximum number of files of a model.
 const MOST_FILES: usize = 1000;
 
@@ -81,7 +84,7 @@ impl ModelFiles {
             let (main, folder) = (*main, folder(roots.files, &source.path));
             let main_folder = files.folders.get(main).unwrap_or(&folder).clone();
             let (copy, named) = files.named(source, naming)?;
-            for Named { byte, element, file, is_model } in named {
+            for Named { byte, element, file, is_model } in named.into_iter().filter(|_| INCLUDES) {
                 let span = source_span(&waiting, number, &element);
                 let resolved = |within: &Path| match naming {
                     Naming::Sdf => roots.resolve_model(&file, within),
@@ -125,7 +128,7 @@ impl ModelFiles {
             number += 1;
         }
         files.sources = waiting.into_iter().map(|file| file.source).collect();
-        if naming == Naming::Sdf {
+        if INCLUDES && naming == Naming::Sdf {
             files.require_no_circle()?;
         }
         files.splices = naming == Naming::Mjcf;
@@ -159,7 +162,8 @@ impl ModelFiles {
     fn named(&mut self, source: &Source, naming: Naming) -> Result<(String, Vec<Named>), FormatError> {
         let located = |error| FormatError::of_content(&source.path, source.text.as_bytes(), error);
         let mut copy = plain(&source.text).map_err(located)?;
-        if naming == Naming::Mjcf
+        if INCLUDES
+            && naming == Naming::Mjcf
             && let Some(second) = second_root(&copy)
         {
             let rest = copy.split_off(second);
@@ -175,6 +179,7 @@ impl ModelFiles {
         while let Some((element, in_assets)) = elements.pop() {
             let is_asset = element.name() == "model" && in_assets;
             let file = match naming {
+                _ if !INCLUDES => None,
                 Naming::Mjcf if element.name() == "include" || is_asset => element.attribute("file"),
                 Naming::Sdf if element.name() == "include" => element.child_text("uri"),
                 _ => None,

@@ -44,6 +44,27 @@ pub(super) struct RotorProblem<'a> {
     pub(super) tolerance: f64,
 }
 
+/// Appends the states at each of the times. After an error, the states before it remain.
+///
+/// # Errors
+/// The errors of the steps.
+pub(super) fn sample(
+    mut stepper: Stepper<'_>,
+    times: &[f64],
+    states: &mut Vec<State>,
+) -> Result<(), MotionError> {
+    let end = times.last().copied().unwrap_or(stepper.time());
+    for &time in times {
+        while stepper.time() < time {
+            stepper.step(end)?;
+            stepper.require_bounded(end)?;
+        }
+        let there = if time == stepper.time() { stepper.now() } else { stepper.at(time) };
+        states.push(there.state);
+    }
+    Ok(())
+}
+
 impl<'a> RotorProblem<'a> {
     /// Computes the motion. `progress` receives the time after each step; if it returns `false`,
     /// the computation stops.
@@ -90,18 +111,9 @@ impl<'a> RotorProblem<'a> {
             }
             (Way::Steps(rule), _) => rule,
         };
-        let mut stepper =
+        let stepper =
             Stepper::new(rule, (rotor, self.history), torques, switched_off, start, tolerance, false)?;
-        let end = times.last().copied().unwrap_or(start.time);
-        for &time in times {
-            while stepper.time() < time {
-                stepper.step(end)?;
-                stepper.require_bounded(end)?;
-            }
-            let there = if time == stepper.time() { stepper.now() } else { stepper.at(time) };
-            states.push(there.state);
-        }
-        Ok(())
+        sample(stepper, times, states)
     }
 
     /// Checks that the problem is supported if the mass properties change.

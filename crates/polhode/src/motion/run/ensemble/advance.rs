@@ -1,8 +1,10 @@
 //! Computation of members: closed forms at many times, and high-order integrators for all others.
 
+use std::sync::Arc;
+
 use super::Member;
-use super::closed::Closed;
 use super::motion::MemberMotion;
+use super::prepared::Prepared;
 use super::workers::Portion;
 use crate::motion::model::state::State;
 use crate::motion::solve::closed_form::ClosedForm;
@@ -27,7 +29,7 @@ const FEW_BODIES: usize = 2;
 /// Computes each member of a portion by a method. Members for batches of Taylor's method are
 /// computed last.
 pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, method: Method) {
-    let (members, closed) = (portion.members, portion.closed);
+    let (members, prepared) = (portion.members, portion.prepared);
     let mut states = Vec::new();
     let mut body = None;
     let mut kinds: Vec<Vec<(usize, taylor::BatchBody<'_>)>> = Vec::new();
@@ -44,16 +46,16 @@ pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, 
             }
             continue;
         }
-        let anew = Closed::default();
-        let closed = closed.get(k).unwrap_or(&anew);
-        let closed = if method == Method::Auto { closed.of(member, &mut body) } else { None };
+        let anew = Prepared::default();
+        let prepared = prepared.get(k).unwrap_or(&anew);
+        let closed = if method == Method::Auto { prepared.closed(member, &mut body) } else { None };
         let in_lanes = closed.is_none() && matches!(method, Method::Auto | Method::Taylor);
+        let acting = if in_lanes { prepared.acting(member, last.as_ref()) } else { None };
         if let Some(motion) = closed {
             states.resize(BATCH, *start);
             evaluate(portion, k, motion, times, &mut states);
-        } else if in_lanes && members.len() <= FEW_BODIES && taylor::has_series(rotor, torques) {
-            by_itself(portion, k, times, tolerance, &mut states);
-        } else if let Some(body) = in_lanes.then(|| of_member(member, last.as_ref())).flatten() {
+        } else if let Some(acting) = acting {
+            let body = taylor::BatchBody::new(rotor, torques, *start, Arc::clone(acting));
             last = Some(body.clone());
             let same = |bodies: &&mut Vec<(usize, taylor::BatchBody<'_>)>| {
                 bodies.first().is_some_and(|(_, first)| first.is_like(&body))
@@ -72,8 +74,8 @@ pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, 
     }
     for bodies in kinds {
         if bodies.len() <= FEW_BODIES {
-            for (k, _) in bodies {
-                by_itself(portion, k, times, tolerance, &mut states);
+            for body in bodies {
+                by_itself(portion, body, times, tolerance, &mut states);
                 if !portion.done(1) {
                     return;
                 }
@@ -113,20 +115,18 @@ fn evaluate(portion: &mut Portion<'_>, k: usize, motion: &ClosedForm, times: &[f
     }
 }
 
-/// Returns a member for a batch; it shares what acts on it with an equal one before it.
-fn of_member<'a>(member: &'a Member, last: Option<&taylor::BatchBody<'a>>) -> Option<taylor::BatchBody<'a>> {
-    let Member { rotor, torques, start, .. } = member;
-    let again = last.and_then(|last| last.again(rotor, torques, *start));
-    again.or_else(|| taylor::BatchBody::of(rotor, torques, *start))
-}
-
 /// Computes a member by Taylor's method, by itself.
-fn by_itself(portion: &mut Portion<'_>, k: usize, times: &[f64], tolerance: f64, states: &mut Vec<State>) {
-    let member = &portion.members[k];
-    let motion = MemberMotion::alone(member, &member.torques, times, (Method::Taylor, tolerance));
+fn by_itself(
+    portion: &mut Portion<'_>,
+    (k, body): (usize, taylor::BatchBody<'_>),
+    times: &[f64],
+    tolerance: f64,
+    states: &mut Vec<State>,
+) {
+    let motion = MemberMotion::of_acting(&portion.members[k], &body.acting, times, tolerance);
     if motion.ending.is_complete() {
         portion.put_motion(k, motion);
-    } else if let Some(body) = taylor::BatchBody::of(&member.rotor, &member.torques, member.start) {
+    } else {
         // A lane also has the last good state, between two times.
         expand(portion, &[(k, body)], times, tolerance, states);
     }

@@ -6,11 +6,11 @@
 //! - `in_step` computes members with a torque that one call computes for all.
 
 mod advance;
-mod closed;
 mod in_step;
 mod member;
 mod motion;
 mod outcome;
+mod prepared;
 mod workers;
 
 use core::num::NonZero;
@@ -96,9 +96,9 @@ pub struct Ensemble {
     members: Vec<Member>,
     /// True if one call computes a torque of many members.
     is_in_step: bool,
-    /// Cached closed form of each member, used from the second call on.
-    closed: Vec<closed::Closed>,
-    /// Set by the first call that uses closed forms.
+    /// Closed form and decomposed torques of each member, kept from the second call on.
+    prepared: Vec<prepared::Prepared>,
+    /// Set by the first call that uses them.
     asked: OnceLock<()>,
     /// Latest start time, s.
     latest: f64,
@@ -131,8 +131,8 @@ impl Ensemble {
             }
         }
         let latest = members.iter().map(|member| member.start.time).fold(f64::NEG_INFINITY, f64::max);
-        let closed = vec![closed::Closed::default(); members.len()];
-        Ok(Self { members, is_in_step, closed, asked: OnceLock::new(), latest })
+        let prepared = vec![prepared::Prepared::default(); members.len()];
+        Ok(Self { members, is_in_step, prepared, asked: OnceLock::new(), latest })
     }
 
     /// Returns the members as given.
@@ -225,12 +225,12 @@ impl Ensemble {
             return in_step::fill(&self.members, times, (method, tolerance), states, progress);
         }
         let again = method == Method::Auto && self.asked.set(()).is_err();
-        let closed = if again { self.closed.as_slice() } else { &[] };
+        let prepared = if again { self.prepared.as_slice() } else { &[] };
         // A thread takes longer to start than these states.
         let is_short =
             again && states.len() <= FEW_STATES && self.members.iter().all(|it| it.torques.is_empty());
         let threads = if is_short { NonZero::<usize>::MIN } else { threads };
-        Workers::new(threads).fill((&self.members, closed), times.len(), states, progress, &|portion| {
+        Workers::new(threads).fill((&self.members, prepared), times.len(), states, progress, &|portion| {
             advance::compute(portion, times, tolerance, method);
         })
     }

@@ -6,8 +6,11 @@ use crate::motion::model::event::Crossing;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::run::ending::Ending;
+use crate::motion::run::rotor_problem::sample;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::method::Method;
+use crate::motion::solve::propagate::stepper::Stepper;
+use crate::motion::solve::propagate::taylor::Acting;
 
 /// Motion of a member, as far as it was computed.
 #[derive(Debug)]
@@ -37,6 +40,19 @@ impl MemberMotion {
         let simulation = Simulation::new(rotor, torques, *start, times).switched_off(switched_off);
         let mut states = Vec::with_capacity(times.len());
         let failure = simulation.method(method).tolerance(tolerance).fill(&mut states).err();
+        Self::of_states(states, failure)
+    }
+
+    /// Computes the states of a member separately by Taylor's method.
+    pub(super) fn of_acting(
+        Member { rotor, torques, start, .. }: &Member,
+        acting: &Acting,
+        times: &[f64],
+        tolerance: f64,
+    ) -> Self {
+        let mut states = Vec::with_capacity(times.len());
+        let stepper = Stepper::of_acting(acting, rotor, torques, *start, tolerance);
+        let failure = stepper.and_then(|stepper| sample(stepper, times, &mut states)).err();
         Self::of_states(states, failure)
     }
 

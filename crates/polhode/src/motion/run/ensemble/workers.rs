@@ -5,8 +5,8 @@ use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use super::closed::Closed;
 use super::motion::MemberMotion;
+use super::prepared::Prepared;
 use super::{EnsembleOutcome, Member, MemberFailure};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
@@ -25,8 +25,8 @@ pub(super) struct Portion<'a> {
     /// Index of the first member of the portion.
     first: usize,
     pub(super) members: &'a [Member],
-    /// Cached closed forms, if they are kept.
-    pub(super) closed: &'a [Closed],
+    /// Closed forms and decomposed torques, if they are kept.
+    pub(super) prepared: &'a [Prepared],
     /// Number of times per member.
     times: usize,
     write: &'a mut dyn FnMut(usize, &[State]),
@@ -82,7 +82,7 @@ impl Workers {
     /// [`MotionError::Cancelled`] if `progress` returned false.
     pub(super) fn fill<S: From<State> + Send>(
         &self,
-        (members, closed): (&[Member], &[Closed]),
+        (members, prepared): (&[Member], &[Prepared]),
         times: usize,
         states: &mut [S],
         progress: &mut dyn FnMut(usize) -> bool,
@@ -101,7 +101,7 @@ impl Workers {
                 let mut portion = Portion {
                     first: k * PORTION,
                     members,
-                    closed: closed.get(k * PORTION..).unwrap_or_default(),
+                    prepared: prepared.get(k * PORTION..).unwrap_or_default(),
                     times,
                     write: &mut |from, states| {
                         for (place, state) in places.iter_mut().skip(from).zip(states) {

@@ -14,7 +14,7 @@ use super::piece::Piece;
 use super::runge_kutta::RungeKutta;
 use super::splitting::{Splitting, SplittingOrder};
 use super::step_statistics::StepStatistics;
-use super::taylor::Taylor;
+use super::taylor::{Acting, Taylor};
 use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularVelocity, Direction, Torque};
 use crate::motion::error::MotionError;
@@ -91,6 +91,33 @@ impl<'a> Stepper<'a> {
         tolerance: f64,
         with_evidence: bool,
     ) -> Result<Self, MotionError> {
+        let subject = (rotor, history);
+        Self::of((rule, None), subject, torques, switched_off, start, tolerance, with_evidence)
+    }
+
+    /// Prepares Taylor's method for torques that are decomposed already, all switched on.
+    ///
+    /// # Errors
+    /// The errors of [`Stepper::new`].
+    pub(in crate::motion) fn of_acting(
+        acting: &Acting,
+        rotor: &'a Rotor,
+        torques: &'a [TorqueModel],
+        start: State,
+        tolerance: f64,
+    ) -> Result<Self, MotionError> {
+        Self::of((Rule::Taylor, Some(acting)), (rotor, None), torques, &[], start, tolerance, false)
+    }
+
+    fn of(
+        (rule, known): (Rule, Option<&Acting>),
+        (rotor, history): (&'a Rotor, Option<&'a MassHistory>),
+        torques: &'a [TorqueModel],
+        switched_off: &[usize],
+        start: State,
+        tolerance: f64,
+        with_evidence: bool,
+    ) -> Result<Self, MotionError> {
         let switched_on: Vec<bool> = (0..torques.len()).map(|k| !switched_off.contains(&k)).collect();
         let torques_on = acting(torques, &switched_on);
         let piece = Rc::new(match history {
@@ -111,7 +138,9 @@ impl<'a> Stepper<'a> {
         let bound = Bound::new(&piece, &start);
         let first = Rc::clone(&piece);
         let steps = match rule {
-            Rule::Taylor => Steps::Taylor(Box::new(Taylor::new(first, start, tolerance, with_evidence)?)),
+            Rule::Taylor => {
+                Steps::Taylor(Box::new(Taylor::new(first, known, start, tolerance, with_evidence)?))
+            }
             Rule::Dop853 => Steps::Dop853(Box::new(RungeKutta::new(first, start, tolerance)?)),
             Rule::Splitting { order, step } => {
                 Steps::Splitting(Box::new(Splitting::new(first, torques, start, order, step)?))

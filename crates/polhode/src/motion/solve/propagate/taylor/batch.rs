@@ -43,27 +43,27 @@ pub(in crate::motion) struct BatchBody<'a> {
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
     start: State,
-    acting: Arc<Acting>,
+    pub(in crate::motion) acting: Arc<Acting>,
 }
 
 /// Torques on equal bodies, decomposed once for all of them.
 #[derive(Debug)]
-struct Acting {
-    decomposition: Decomposition,
+pub(in crate::motion) struct Acting {
+    pub(super) decomposition: Decomposition,
     kind: BatchKind,
 }
 
 /// Returns true if a motion can be computed in a batch: not with schedules, or torques without a
 /// series.
-pub(in crate::motion) fn has_series(rotor: &Rotor, torques: &[TorqueModel]) -> bool {
+fn has_series(rotor: &Rotor, torques: &[TorqueModel]) -> bool {
     let has_series = |torque: &TorqueModel| torque.model().roughness().is_none() && !torque.is_timed();
     let is_steady = |wheel: &Wheel| !matches!(wheel.motor(), Motor::Torque { schedule: Some(_), .. });
     torques.iter().all(has_series) && rotor.wheels().iter().all(is_steady)
 }
 
-impl<'a> BatchBody<'a> {
+impl Acting {
     /// Returns `None` for motions that must be computed one by one: see [`has_series`].
-    pub(in crate::motion) fn of(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State) -> Option<Self> {
+    pub(in crate::motion) fn of(rotor: &Rotor, torques: &[TorqueModel]) -> Option<Arc<Self>> {
         if !has_series(rotor, torques) {
             return None;
         }
@@ -71,18 +71,29 @@ impl<'a> BatchBody<'a> {
             !rotor.wheels().is_empty() || torques.iter().any(|torque| torque.model().sink() != 0.0);
         let decomposition = Decomposition::of(rotor, torques.iter(), !has_inside);
         let kind = BatchKind { torques: decomposition.kind(), has_inside };
-        Some(Self { rotor, torques, start, acting: Arc::new(Acting { decomposition, kind }) })
+        Some(Arc::new(Self { decomposition, kind }))
     }
+}
 
-    /// Returns an equal body under equal torques from another start; `None` if one of them differs.
-    pub(in crate::motion) fn again(
-        &self,
+impl<'a> BatchBody<'a> {
+    /// `acting`: the decomposition of these torques.
+    pub(in crate::motion) const fn new(
         rotor: &'a Rotor,
         torques: &'a [TorqueModel],
         start: State,
-    ) -> Option<Self> {
+        acting: Arc<Acting>,
+    ) -> Self {
+        Self { rotor, torques, start, acting }
+    }
+
+    /// Returns the decomposed torques if they and the body are equal to these.
+    pub(in crate::motion) fn acting_if_equal(
+        &self,
+        rotor: &Rotor,
+        torques: &[TorqueModel],
+    ) -> Option<Arc<Acting>> {
         let is_equal = self.rotor == rotor && self.torques == torques;
-        is_equal.then(|| Self { rotor, torques, start, acting: Arc::clone(&self.acting) })
+        is_equal.then(|| Arc::clone(&self.acting))
     }
 
     /// Returns true if both bodies can be in one batch.

@@ -27,7 +27,7 @@ mod torque;
 mod unit_product;
 mod variations;
 
-pub(in crate::motion) use batch::{BatchBody, advance, has_series};
+pub(in crate::motion) use batch::{Acting, BatchBody, advance};
 pub(super) use stepper::Taylor;
 
 use body_resolved::BodyResolved;
@@ -165,15 +165,15 @@ impl<N: Number> Expansion<N> {
         self.forcing = forcing.as_ref().map(|graph| Box::new(Forcing::of(zero, graph)));
         self.tape = graph.as_ref().map(|graph| Box::new(Tape::of(zero, graph)));
         let is_plain = is_plain(piece);
-        self.layout = match (&self.tape, joint.as_deref()) {
+        self.layout = match joint.as_deref() {
             _ if !is_plain => GENERAL,
-            (Some(_), _) => GENERAL,
-            (None, None) => ATTITUDE,
-            (None, Some(JointVector::Fixed(_))) => WITH_FIXED_VECTOR,
-            (None, Some(JointVector::Circular(_))) => WITH_ORBIT,
+            None => ATTITUDE,
+            Some(JointVector::Fixed(_)) => WITH_FIXED_VECTOR,
+            Some(JointVector::Circular(_)) => WITH_ORBIT,
         };
         // Discards the series of torques that have ended.
-        let has_beside = self.layout == GENERAL || self.evidence.is_some() || self.is_thin;
+        let has_beside =
+            self.layout == GENERAL || self.tape.is_some() || self.evidence.is_some() || self.is_thin;
         self.beside = has_beside.then(|| SeparateSeries::all(zero));
         self.terms = EquationConstants::none(zero);
         if let Some(evidence) = &mut self.evidence {
@@ -287,10 +287,10 @@ impl<N: Number> Expansion<N> {
             );
         }
         match self.layout {
-            ATTITUDE => self.expand_by_itself::<M, ATTITUDE>(s),
-            WITH_FIXED_VECTOR => self.expand_by_itself::<M, WITH_FIXED_VECTOR>(s),
-            WITH_ORBIT => self.expand_by_itself::<M, WITH_ORBIT>(s),
-            _ => self.expand_with_others(s),
+            ATTITUDE => self.expand_motion::<M, ATTITUDE>(s),
+            WITH_FIXED_VECTOR => self.expand_motion::<M, WITH_FIXED_VECTOR>(s),
+            WITH_ORBIT => self.expand_motion::<M, WITH_ORBIT>(s),
+            _ => self.expand_motion::<M, GENERAL>(s),
         }
         if self.evidence.is_some() && !self.is_free() {
             s.apart(
@@ -300,47 +300,41 @@ impl<N: Number> Expansion<N> {
         }
     }
 
-    /// Expands a motion that the recurrence describes completely.
+    /// Expands the motion, in one of the layouts.
     #[inline(always)]
-    fn expand_by_itself<M: Recurrence<N = N>, const LAYOUT: Layout>(&mut self, s: M) {
+    fn expand_motion<M: Recurrence<N = N>, const LAYOUT: Layout>(&mut self, s: M) {
         let none = Row::splat(self.zero());
+        let more = self.more::<M, LAYOUT>(s, 0).unwrap_or(none);
         let jacobian = s.jacobian::<LAYOUT>(&self.motion, &self.terms);
-        let low_and_more = [self.low, forced(self.forcing.as_deref(), self.inverses, 0).unwrap_or(none)];
-        let mut newest = s.first::<LAYOUT>(&jacobian, &self.motion, &self.terms, low_and_more);
+        let mut newest = s.first::<LAYOUT>(&jacobian, &self.motion, &self.terms, [self.low, more]);
         let mut previous = newest;
         for n in 1..self.order {
-            let more = forced(self.forcing.as_deref(), self.inverses, n);
+            if LAYOUT == GENERAL || self.tape.is_some() {
+                self.extend_torques(s, n - 1);
+                let [x, y] = newest;
+                self.motion[n].set::<LAYOUT>([s.unpack(x), s.unpack(y)]);
+            }
+            let more = self.more::<M, LAYOUT>(s, n);
             let next = s.next::<LAYOUT>(&jacobian, &mut self.motion, n, [previous, newest], more);
             (previous, newest) = (newest, next);
         }
         let [x, y] = newest;
         self.motion[self.order].set::<LAYOUT>([s.unpack(x), s.unpack(y)]);
-        if self.is_thin {
+        if self.is_thin && LAYOUT != GENERAL {
             self.find_torque(s, 0);
         }
     }
 
-    /// Expands a motion with other torques, wheels or friction, which contribute to every
-    /// coefficient.
+    /// Computes coefficient n of the terms of ω̇ that are not in the recurrence, if there are any.
     #[inline(always)]
-    fn expand_with_others<M: Recurrence<N = N>>(&mut self, s: M) {
-        let more = self.other_acceleration(s, 0);
-        let jacobian = s.jacobian::<GENERAL>(&self.motion, &self.terms);
-        let mut newest = s.first::<GENERAL>(&jacobian, &self.motion, &self.terms, [self.low, more]);
-        let mut previous = newest;
-        for n in 1..=self.order {
-            self.extend_torques(s, n - 1);
-            let [x, y] = newest;
-            self.motion[n].set::<GENERAL>([s.unpack(x), s.unpack(y)]);
-            if n < self.order {
-                let more = self.other_acceleration(s, n);
-                let next = s.next::<GENERAL>(&jacobian, &mut self.motion, n, [previous, newest], Some(more));
-                (previous, newest) = (newest, next);
-            }
+    fn more<M: Recurrence<N = N>, const LAYOUT: Layout>(&mut self, s: M, n: usize) -> Option<Row<N>> {
+        if LAYOUT == GENERAL || self.tape.is_some() {
+            return Some(self.other_acceleration(s, n));
         }
+        forced(self.forcing.as_deref(), self.inverses, n)
     }
 
-    /// Computes coefficient n of the terms of ω̇ that are not in the recurrence.
+    /// Computes coefficient n of these terms, with a graph, wheels or friction.
     #[inline(always)]
     fn other_acceleration<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
         let (none, omega, u) = (Row::splat(self.zero()), self.omega_at(n), self.motion[n].x.second());
@@ -349,7 +343,7 @@ impl<N: Number> Expansion<N> {
         };
         series.set(n, omega);
         let (mut rate, mut linear) = (none, none);
-        if let Some(quadratic) = &self.quadratic {
+        if let (Some(quadratic), GENERAL) = (&self.quadratic, self.layout) {
             joint.set(n, u);
             rate = quadratic.acceleration(n, u, omega);
             linear = quadratic.torque(s, n, joint, omega);
@@ -360,7 +354,9 @@ impl<N: Number> Expansion<N> {
         } else {
             &*series
         };
-        self.motion[n].turning = Pair::new(turning.rows.at(n), none);
+        if self.layout == GENERAL {
+            self.motion[n].turning = Pair::new(turning.rows.at(n), none);
+        }
         let known = Known { s, omega: series, turning, motion: &self.motion };
         let mut torque = self.tape.as_mut().map_or(none, |tape| {
             known.apart(
@@ -395,8 +391,7 @@ impl<N: Number> Expansion<N> {
         if self.layout == ATTITUDE { self.motion[n].x.second().imaginary() } else { self.motion[n].y.first() }
     }
 
-    /// Computes coefficient n of ω and of the torque, if the recurrence describes the motion
-    /// completely.
+    /// Computes coefficient n of ω and of the torque, without wheels and friction.
     #[inline(always)]
     fn find_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
         let (omega, Coefficient { x, y, .. }) = (self.omega_at(n), self.motion[n]);
@@ -406,8 +401,9 @@ impl<N: Number> Expansion<N> {
         series.set(n, omega);
         joint.set(n, if self.layout == WITH_ORBIT { y.second() } else { x.second() });
         let known = self.quadratic.as_ref().map(|quadratic| quadratic.torque(s, n, joint, omega));
+        let others = self.tape.as_ref().map(|tape| tape.torque_at(n));
         let forced = self.forcing.as_ref().map(|forcing| forcing.at(n));
-        if let Some(sum) = known.into_iter().chain(forced).reduce(|a, b| a + b) {
+        if let Some(sum) = known.into_iter().chain(others).chain(forced).reduce(|a, b| a + b) {
             torque.set(n, sum);
         }
     }
@@ -514,10 +510,9 @@ impl Work for Sum<'_> {
 }
 
 impl Expansion {
-    fn of_one(piece: &Piece<'_>, tolerance: f64, evidence: bool) -> Box<Self> {
-        let torques = decomposed(piece);
-        let mut expansion = Self::of(0.0, piece, &torques, tolerance, evidence);
-        expansion.set(0, piece, &torques);
+    fn of_one(piece: &Piece<'_>, torques: &Decomposition, tolerance: f64, evidence: bool) -> Box<Self> {
+        let mut expansion = Self::of(0.0, piece, torques, tolerance, evidence);
+        expansion.set(0, piece, torques);
         expansion
     }
 

@@ -6,7 +6,7 @@ use super::base::ExpansionPoint;
 use super::row::{Row, smaller};
 use super::sums::OneBody;
 use super::variations::Variations;
-use super::{Expansion, Increment, decomposed};
+use super::{Acting, Expansion, Increment, decomposed};
 use crate::math::frame::{Body, Principal, Space};
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::rotation::{Attitude, Rotation};
@@ -58,16 +58,26 @@ struct Balances {
 }
 
 impl<'a> Taylor<'a> {
+    /// `acting`: the decomposition of the torques, if it is known.
     pub(in crate::motion::solve::propagate) fn new(
         piece: Rc<Piece<'a>>,
+        acting: Option<&Acting>,
         start: State,
         tolerance: f64,
         with_evidence: bool,
     ) -> Result<Self, MotionError> {
+        let own;
+        let torques = match acting {
+            Some(acting) => &acting.decomposition,
+            None => {
+                own = decomposed(&piece);
+                &own
+            }
+        };
         let to_body = piece.rotor.principal().rotation();
         let head = ExpansionPoint::new(&start, to_body);
         let mut taylor = Self {
-            expansion: Expansion::of_one(&piece, tolerance, with_evidence),
+            expansion: Expansion::of_one(&piece, torques, tolerance, with_evidence),
             // For a body at rest, the scale of ω is the rate that the torque causes.
             omega_scale: start.omega.norm().max(torque_rate(&piece)),
             piece,

@@ -171,7 +171,8 @@ fn bits(state: &State) -> [u64; 8] {
 }
 
 fn bodies(members: &[Member]) -> Vec<BatchBody<'_>> {
-    members.iter().map(|(rotor, torques, start)| BatchBody::of(rotor, torques, *start).unwrap()).collect()
+    let acting = |(rotor, torques, _): &Member| Acting::of(rotor, torques).unwrap();
+    members.iter().map(|member| BatchBody::new(&member.0, &member.1, member.2, acting(member))).collect()
 }
 
 /// Compares a batch with each body alone. Returns the numbers of bodies that succeed and that fail.
@@ -287,6 +288,5 @@ fn what_changes_on_its_way_and_what_has_no_series_goes_alone() {
 }
 
 fn kind(rotor: &Rotor, torques: &[TorqueModel]) -> Option<BatchKind> {
-    let (attitude, omega) = (crate::math::Attitude::identity(), crate::math::AngularVelocity::ZERO);
-    Some(BatchBody::of(rotor, torques, State { time: 0.0, attitude, omega })?.acting.kind.clone())
+    Some(Acting::of(rotor, torques)?.kind.clone())
 }

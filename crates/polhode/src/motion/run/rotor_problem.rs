@@ -44,10 +44,7 @@ pub(super) struct RotorProblem<'a> {
     pub(super) tolerance: f64,
 }
 
-/// Appends the states at each of the times. After an error, the states before it remain.
-///
-/// # Errors
-/// The errors of the steps.
+/// Appends the states at each of the times. After the error of a step, the states before it remain.
 pub(super) fn sample(
     mut stepper: Stepper<'_>,
     times: &[f64],

@@ -19,7 +19,20 @@ impl Graph {
         }
         let torque = packer.vectors.get(self.torque).copied().unwrap_or_default();
         let (graph, kept) = packer.graph.condensed(&[torque]);
-        Self { torque: kept.first().copied().unwrap_or_default(), ..graph }
+        Self { torque: kept.first().copied().unwrap_or_default(), ..graph }.with_own_matrices()
+    }
+
+    /// Gives each image a matrix of its own, so that operations do not depend on which matrices of a
+    /// body are equal.
+    fn with_own_matrices(mut self) -> Self {
+        let matrices = core::mem::take(&mut self.matrices);
+        for operation in &mut self.operations {
+            if let Operation::Vector(VectorOperation::Image(k, _)) = operation {
+                self.matrices.push(matrices[*k]);
+                *k = self.matrices.len() - 1;
+            }
+        }
+        self
     }
 
     fn scalars(&self) -> impl Iterator<Item = ScalarOperation> + '_ {
@@ -95,13 +108,9 @@ impl Packer {
             }
             [S::Negate(a), S::Negate(b), S::Negate(c)] => V::Negate(self.operand([a, b, c])),
             [S::Scale(a, k), S::Scale(b, l), S::Scale(c, m)] => {
-                let of = self.operand([a, b, c]);
-                if [l, m] == [k, k] {
-                    V::Scale(of, k)
-                } else {
-                    let factors = self.constant([k, l, m]);
-                    V::Product(self.graph.vector(factors), of)
-                }
+                let [x, y, z] = [k, l, m].map(|k| self.constant_value(k));
+                let diagonal = [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
+                V::Image(index(&mut self.graph.matrices, diagonal, |a, b| a == b), self.operand([a, b, c]))
             }
             [S::Add(a, d), S::Add(b, e), S::Add(c, f)] => {
                 V::Add(self.operand([a, b, c]), self.operand([d, e, f]))
@@ -138,8 +147,13 @@ impl Packer {
         Some(self.graph.vector(operation))
     }
 
-    fn constant(&mut self, [a, b, c]: [usize; 3]) -> VectorOperation {
-        let values = [a, b, c].map(|k| self.graph.constants.get(k).copied().unwrap_or(f64::NAN));
+    /// Returns the value of a constant, by index.
+    fn constant_value(&self, k: usize) -> f64 {
+        self.graph.constants.get(k).copied().unwrap_or(f64::NAN)
+    }
+
+    fn constant(&mut self, places: [usize; 3]) -> VectorOperation {
+        let values = places.map(|k| self.constant_value(k));
         let is_same = |one: &[f64; 3], other: &[f64; 3]| one.map(f64::to_bits) == other.map(f64::to_bits);
         VectorOperation::Constant(index(&mut self.graph.vectors, values, is_same))
     }

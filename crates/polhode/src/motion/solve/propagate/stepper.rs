@@ -95,10 +95,8 @@ impl<'a> Stepper<'a> {
         Self::of((rule, None), subject, torques, switched_off, start, tolerance, with_evidence)
     }
 
-    /// Prepares Taylor's method for torques that are decomposed already, all switched on.
-    ///
-    /// # Errors
-    /// The errors of [`Stepper::new`].
+    /// Prepares Taylor's method for torques that are decomposed already, all switched on. The errors
+    /// are those of [`Stepper::new`].
     pub(in crate::motion) fn of_acting(
         acting: &Acting,
         rotor: &'a Rotor,

@@ -39,7 +39,7 @@ use recurrence::{
 };
 use row::{Row, Series, TERMS, Vectors};
 use sums::{OneBody, SeriesSums};
-use torque::{Decomposition, Forcing, Known, Quadratic, StepStart, Tape, row};
+use torque::{Componentwise, Decomposition, Forcing, Known, Quadratic, StepStart, Tape, row};
 
 use super::piece::Piece;
 use crate::math::machine::{Machine, Work, in_vectors};
@@ -65,6 +65,8 @@ struct Expansion<N = f64> {
     quadratic: Option<Box<Quadratic<N>>>,
     /// Torques that depend on time alone.
     forcing: Option<Box<Forcing<N>>>,
+    /// Torques that are one function of all components of ω.
+    componentwise: Option<Box<Componentwise<N>>>,
     /// All other torques, as a graph.
     tape: Option<Box<Tape<N>>>,
     /// Wheels and internal friction, if there are any.
@@ -145,6 +147,7 @@ impl<N: Number> Expansion<N> {
             low: none,
             quadratic: None,
             forcing: None,
+            componentwise: None,
             tape: None,
             inside: None,
             beside: None,
@@ -163,8 +166,12 @@ impl<N: Number> Expansion<N> {
         self.quadratic =
             quadratic.as_ref().map(|torque| Box::new(Quadratic::of(zero, torque, joint.as_deref())));
         self.forcing = forcing.as_ref().map(|graph| Box::new(Forcing::of(zero, graph)));
-        self.tape = graph.as_ref().map(|graph| Box::new(Tape::of(zero, graph)));
         let is_plain = is_plain(piece);
+        let graph = graph.as_deref();
+        let componentwise = graph.filter(|_| is_plain).and_then(|graph| Componentwise::of(zero, graph));
+        self.componentwise = componentwise.map(Box::new);
+        self.tape =
+            graph.filter(|_| self.componentwise.is_none()).map(|graph| Box::new(Tape::of(zero, graph)));
         self.layout = match joint.as_deref() {
             _ if !is_plain => GENERAL,
             None => ATTITUDE,
@@ -218,6 +225,9 @@ impl<N: Number> Expansion<N> {
         if let (Some(tape), Some(graph)) = (&mut self.tape, graph) {
             tape.set(lane, graph, piece.rotor);
         }
+        if let (Some(torque), Some(graph)) = (&mut self.componentwise, graph) {
+            torque.set(lane, graph, piece.rotor, inverses);
+        }
         if let Some(inside) = &mut self.inside {
             inside.sink.put(lane, piece.sink);
         }
@@ -237,7 +247,11 @@ impl<N: Number> Expansion<N> {
 
     /// Returns true if no torque contributes work or impulse.
     fn is_free(&self) -> bool {
-        self.quadratic.is_none() && self.forcing.is_none() && self.tape.is_none() && self.inside.is_none()
+        self.quadratic.is_none()
+            && self.forcing.is_none()
+            && self.componentwise.is_none()
+            && self.tape.is_none()
+            && self.inside.is_none()
     }
 
     /// Starts a step.
@@ -304,25 +318,51 @@ impl<N: Number> Expansion<N> {
     #[inline(always)]
     fn expand_motion<M: Recurrence<N = N>, const LAYOUT: Layout>(&mut self, s: M) {
         let none = Row::splat(self.zero());
-        let more = self.more::<M, LAYOUT>(s, 0).unwrap_or(none);
-        let jacobian = s.jacobian::<LAYOUT>(&self.motion, &self.terms);
-        let mut newest = s.first::<LAYOUT>(&jacobian, &self.motion, &self.terms, [self.low, more]);
-        let mut previous = newest;
+        let has_others = LAYOUT == GENERAL || self.tape.is_some();
+        let mut more = self.more::<M, LAYOUT>(s, 0).unwrap_or(none);
+        let (omega, mut terms, with_linear) = (self.omega_at(0), &self.terms, &mut None);
+        if let Some(torque) = &mut self.componentwise {
+            let (constant, columns) = torque.start(omega);
+            more = more + constant;
+            let [a, b, c] = self.terms.of_omega;
+            let of_omega = [a + columns[0], b + columns[1], c + columns[2]];
+            terms = with_linear.insert(EquationConstants { of_omega, has_omega: true, ..self.terms });
+        }
+        let jacobian = s.jacobian::<LAYOUT>(&self.motion, terms);
+        let mut newest = s.first::<LAYOUT>(&jacobian, &self.motion, terms, [self.low, more]);
+        let (mut previous, mut rest) = (newest, self.componentwise.is_some().then_some(none));
         for n in 1..self.order {
-            if LAYOUT == GENERAL || self.tape.is_some() {
+            if has_others {
                 self.extend_torques(s, n - 1);
                 let [x, y] = newest;
                 self.motion[n].set::<LAYOUT>([s.unpack(x), s.unpack(y)]);
             }
-            let more = self.more::<M, LAYOUT>(s, n);
+            let mut more = self.more::<M, LAYOUT>(s, n);
+            if let Some(rest) = rest {
+                more = Some(more.map_or(rest, |more| more + rest));
+            }
             let next = s.next::<LAYOUT>(&jacobian, &mut self.motion, n, [previous, newest], more);
             (previous, newest) = (newest, next);
+            if rest.is_some() {
+                rest = self.extend_componentwise(s, n);
+            }
         }
         let [x, y] = newest;
         self.motion[self.order].set::<LAYOUT>([s.unpack(x), s.unpack(y)]);
         if self.is_thin && LAYOUT != GENERAL {
             self.find_torque(s, 0);
         }
+    }
+
+    /// Computes coefficient n of a componentwise torque; see [`Componentwise::extend`].
+    #[inline(always)]
+    fn extend_componentwise<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Option<Row<N>> {
+        let omega = self.omega_at(n);
+        let torque = self.componentwise.as_mut()?;
+        Some(s.apart(
+            #[inline(always)]
+            |_| torque.extend(n, omega),
+        ))
     }
 
     /// Computes coefficient n of the terms of ω̇ that are not in the recurrence, if there are any.
@@ -402,6 +442,7 @@ impl<N: Number> Expansion<N> {
         joint.set(n, if self.layout == WITH_ORBIT { y.second() } else { x.second() });
         let known = self.quadratic.as_ref().map(|quadratic| quadratic.torque(s, n, joint, omega));
         let others = self.tape.as_ref().map(|tape| tape.torque_at(n));
+        let others = others.or_else(|| self.componentwise.as_ref().map(|torque| torque.at(n)));
         let forced = self.forcing.as_ref().map(|forcing| forcing.at(n));
         if let Some(sum) = known.into_iter().chain(others).chain(forced).reduce(|a, b| a + b) {
             torque.set(n, sum);

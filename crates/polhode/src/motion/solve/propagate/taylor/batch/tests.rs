@@ -130,11 +130,32 @@ fn torques(name: &str, f: f64, rest: Attitude) -> Vec<TorqueModel> {
             let two = Formula::new([Instruction::Constant(f), rate, less]).unwrap();
             vec![TorqueModel::Formula(Box::new(FormulaTorque::Body([one, two, Formula::constant(f)])))]
         }
+        "saturated" | "pivoted, saturated, at rest" => {
+            // −f tanh 3ω, or its arctangent
+            let function = if name == "saturated" { Unary::Tanh } else { Unary::Atan };
+            let times = Instruction::Binary(Binary::Multiply);
+            let along = |k: usize| {
+                let (factor, scale) = (Instruction::Constant(-f), Instruction::Constant(3.0));
+                let rate = Instruction::Variable(1 + k);
+                Formula::new([factor, scale, rate, times, Instruction::Unary(function), times]).unwrap()
+            };
+            let law = FormulaTorque::Body([0, 1, 2].map(along));
+            let wave = Formula::new([Instruction::Variable(0), Instruction::Unary(Unary::Sin)]).unwrap();
+            let zero = || Formula::constant(0.0);
+            let wave = FormulaTorque::Body([wave, zero(), zero()]);
+            let mut torques = vec![TorqueModel::Formula(Box::new(law))];
+            if name == "saturated" {
+                torques.push(TorqueModel::Formula(Box::new(wave)));
+            } else {
+                torques.push(gravity());
+            }
+            torques
+        }
         _ => vec![sink(), gravity(), drag(DragLaw::Linear), magnet(uniform())],
     }
 }
 
-const KINDS: [&str; 25] = [
+const KINDS: [&str; 27] = [
     "free",
     "wheels",
     "body",
@@ -158,6 +179,8 @@ const KINDS: [&str; 25] = [
     "spring",
     "wire",
     "formula",
+    "saturated",
+    "pivoted, saturated, at rest",
     "pivoted, four torques",
     "four torques and wheels",
 ];

@@ -1,9 +1,11 @@
 //! Taylor coefficients of torques, principal axes, from the preceding coefficients of the motion.
 //!
 //! Linear and quadratic torques become part of the recurrence of the motion (`quadratic.rs`), and
-//! functions of time are expanded before it (`forcing.rs`). The operations of all other laws are
-//! evaluated coefficient by coefficient (`tape.rs`).
+//! functions of time are expanded before it (`forcing.rs`). One function of all components of ω has
+//! its own recurrence (`componentwise.rs`). The operations of all other laws are evaluated
+//! coefficient by coefficient (`tape.rs`).
 
+mod componentwise;
 mod forcing;
 mod norm;
 mod orbit;
@@ -18,6 +20,7 @@ use crate::math::number::Number;
 use crate::math::rotation::Rotation;
 use crate::math::vector::Vector;
 
+pub(super) use componentwise::Componentwise;
 pub(super) use forcing::Forcing;
 pub(super) use quadratic::{Decomposition, Quadratic, TorqueKind};
 pub(super) use tape::Tape;

@@ -14,7 +14,7 @@ use polhode_shape::mesh::obj;
 use polhode_source::files::Memory;
 
 use crate::common::{
-    Matrix, applied, assert_close, assert_near, matrix_about, matrix_about_axis, plus, read, times,
+    Folder, Matrix, applied, assert_close, assert_near, matrix_about, matrix_about_axis, plus, read, times,
     transposed,
 };
 
@@ -396,6 +396,22 @@ fn a_tensor_is_compared_with_its_mesh() {
     };
     assert_eq!(codes(1.0), Vec::<&str>::new());
     assert_eq!(codes(3.7), ["inertia.geometry"]);
+}
+
+/// A part in another text layer, which two bodies reference: read as arrays, and shared.
+#[test]
+fn a_referenced_mesh_is_shared() {
+    let part =
+        format!("#usda 1.0\n(\n    defaultPrim = \"p\"\n)\ndef Xform \"p\"\n{{\n{}}}\n", mesh(&prism("")));
+    let part_of = |name: &str| {
+        format!("def \"{name}\" (\n    instanceable = true\n    references = @part.usda@\n)\n{{\n}}\n")
+    };
+    let text = layer("", &(part_of("one") + &part_of("two")));
+    let folder = Folder::of("usd-part", &[("r.usda", &text), ("part.usda", &part)]);
+    let model = read_model(&folder.path("r.usda"), &ReadOptions::default()).unwrap();
+    let [one, two] = model.links[0].geometry.as_slice() else { panic!("{:?}", model.notes) };
+    assert!(Arc::ptr_eq(&inline(one), &inline(two)));
+    require(&Shapes::default().geometry(two).unwrap(), placed(|p| p), 1e-12);
 }
 
 /// Compares a binary layer with the numbers of `tests/usd/meshes.py`. Its instances share a mesh.

@@ -94,7 +94,7 @@ fn the_page_of_the_book_is_the_table() {
     );
 }
 
-/// A small collision shape beside a visual mesh that cannot be read is no evidence of the size.
+/// A small collision shape is no evidence of the size if the visual mesh cannot be read.
 #[test]
 fn geometry_that_cannot_all_be_measured_does_not_accuse() {
     let link = |visual: &str| {

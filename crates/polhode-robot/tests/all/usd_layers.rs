@@ -335,7 +335,7 @@ fn a_schema_that_a_layer_deletes_and_adds_is_applied() {
     }
 }
 
-/// Whether its schemas are applied may be stated in the layer that is not read.
+/// The layer that is not read may apply its schemas.
 #[test]
 fn an_over_of_a_prim_that_is_not_read_is_not_accused() {
     let prims = "def \"bottle\" (references = @gone.usda@)\n{\n    over \"entity\"\n    {\n        float physics:mass = 0.5\n    }\n}";

@@ -115,7 +115,7 @@ pub(super) fn geometry(
         .and_then(|name| word(prim, name));
     let mesh = match approximation {
         Some(fitted @ ("boundingCube" | "boundingSphere")) => Err(format!(
-            "physics:approximation = {fitted} is not measured: programs fit it differently; write a Cube or a Sphere"
+            "physics:approximation = {fitted} is not measured: programs fit it differently; a Cube or a Sphere is unambiguous"
         )),
         _ => meshes.mesh(prim, approximation == Some("convexHull")),
     };

@@ -18,11 +18,11 @@ const FILES: &str = "<!--polhode-files-->";
 
 /// Returns the page as one file that contains the files of `options`; the port has no effect.
 ///
-/// The pack of the files is in the page as zlib (RFC 1950): character U+4000 + d
-/// for each 15 bits d, the most significant first; `data-length` is the number of bytes. The pack is the length of a JSON
-/// index as a little-endian u64; the index, padded with spaces to a multiple of eight bytes; and the
-/// contents of the files. The index has the paths to open, the lesson, and the path and length of
-/// each file. Paths are relative to the deepest common folder of the files.
+/// The pack of the files is in the page as zlib (RFC 1950): character U+4000 + d for each 15 bits d,
+/// the most significant first; `data-length` is the number of bytes. The pack is the length of a
+/// JSON index as a little-endian u64; the index, padded with spaces to a multiple of eight bytes;
+/// and the contents of the files. The index has the paths to open, the lesson, and the path and
+/// length of each file. Paths are relative to the deepest common folder of the files.
 ///
 /// # Errors
 /// [`LiveError`] if a file cannot be opened, or is named by an absolute path.

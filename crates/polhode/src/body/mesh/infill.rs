@@ -56,9 +56,10 @@ impl ClosedMesh {
     /// small, and then bounded by planes.
     ///
     /// Let p be the point of a triangle T that is nearest to the centre c, n the direction from p
-    /// to c, and d the thickness of the walls. As T is convex, the distance of x from T is at least n · (x − p),
-    /// and at most |x − p|. So the infill in the cube contains all x with n · (x − p) > d for each
-    /// T, and lies within n · (x − p) > √(d² − r²), or n · (x − p) > d if the cube projects into T.
+    /// to c, and d the thickness of the walls. As T is convex, the distance of x from T is at least
+    /// n · (x − p), and at most |x − p|. So the infill in the cube contains all x with n · (x − p) >
+    /// d for each T, and lies within n · (x − p) > √(d² − r²), or n · (x − p) > d if the cube
+    /// projects into T.
     /// Layers of the thickness t under the heights p(x, y) of the surface are bounded in the same
     /// way: the infill contains z < p − t for the plane of each triangle above, and lies within the
     /// same for the highest plane, if the triangles cover the cube. The mean of both polyhedra
@@ -76,8 +77,8 @@ impl ClosedMesh {
     ///
     /// # Errors
     /// [`BodyError::Parameter`] for walls or a tolerance that are not positive and finite, layers
-    /// that are negative or infinite, or walls that need too many cells; [`BodyError::OverlappingMesh`] if the surface goes through
-    /// itself.
+    /// that are negative or infinite, or walls that need too many cells;
+    /// [`BodyError::OverlappingMesh`] if the surface goes through itself.
     pub fn infill(
         &self,
         shell: &PrintShell,

@@ -85,8 +85,8 @@ impl Roofs {
 
     /// Returns true if each vertical line through the cell meets one of these roofs.
     ///
-    /// Between two places where a line leaves the solid it enters the solid. If it enters it
-    /// nowhere, the projections of the roofs do not overlap, and their areas can be added.
+    /// A line enters the solid between two places where it leaves it. If it enters it nowhere, the
+    /// projections of the roofs do not overlap, and their areas can be added.
     fn cover(&self, is_one: impl Fn(&Roof) -> bool) -> bool {
         let whole = 4.0 * self.half * self.half * (1.0 - MISSING);
         let area = |roof: &Roof| if is_one(roof) { roof.area } else { 0.0 };

@@ -1,7 +1,7 @@
 //! Torques N = M f(A ω), where f applies one function to each component, such as the saturated
 //! law −k tanh(ω/ω₀). Each coefficient needs one convolution and one square.
 //!
-//! With u = A ω and y = f(u), coefficient n ≥ 1 is yₙ = f′(u₀) uₙ + σₙ, where σₙ contains only
+//! Coefficient n ≥ 1 of y = f(u), u = A ω, is yₙ = f′(u₀) uₙ + σₙ, where σₙ contains only
 //! coefficients before n:
 //!
 //! tanh: y′ = w u′, w = 1 − y²:  n σₙ = Σ_{1≤k<n} k uₖ wₙ₋ₖ

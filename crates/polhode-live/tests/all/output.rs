@@ -22,7 +22,7 @@ fn read(options: &LiveOptions) -> (String, Pack) {
     let (length, rest) = rest.split_once("\">").unwrap();
     let (text, _) = rest.split_once("</script>").unwrap();
     let bits =
-        text.encode_utf16().flat_map(|code| (0..15).rev().map(move |bit| code - 0x4000 >> bit & 1 == 1));
+        text.encode_utf16().flat_map(|code| (0..15).rev().map(move |bit| (code - 0x4000) >> bit & 1 == 1));
     let bits: Vec<bool> = bits.collect();
     let byte = |bits: &[bool]| bits.iter().fold(0, |byte, &bit| byte << 1 | u8::from(bit));
     let packed: Vec<u8> = bits.chunks_exact(8).map(byte).take(length.parse().unwrap()).collect();

@@ -245,7 +245,7 @@ fn solid_layers_under_a_dome_of_many_triangles() {
     let point = |k: usize, j: usize| {
         let turn = std::f64::consts::TAU * (k % around) as f64 / around as f64;
         let (sin, cos) = (std::f64::consts::PI * (j as f64 / rings as f64 - 0.5)).sin_cos();
-        let cos = if j % rings == 0 { 0.0 } else { cos };
+        let cos = if j.is_multiple_of(rings) { 0.0 } else { cos };
         [1.1 * cos * turn.cos(), 0.8 * cos * turn.sin(), 0.9 * sin]
     };
     let mut triangles: Vec<Triangle> = Vec::new();

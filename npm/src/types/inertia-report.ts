@@ -397,6 +397,14 @@ export interface Source {
      */
     walls_m: number;
     /**
+     * Thickness of the solid layers under all that faces up, m; 0 for none.
+     */
+    top_layers_m: number;
+    /**
+     * Thickness of the solid layers over all that faces down, m; 0 for none.
+     */
+    bottom_layers_m: number;
+    /**
      * Density of the infill relative to the walls', dimensionless.
      */
     infill: number;

@@ -95,6 +95,14 @@ export interface InertiaRequest {
    */
   walls?: string | number | null;
   /**
+   * Thickness of the solid layers of a printed mesh under all that faces up, along z, m or with its unit.
+   */
+  "top-layers"?: string | number | null;
+  /**
+   * Thickness of the solid layers of a printed mesh over all that faces down, along z, m or with its unit.
+   */
+  "bottom-layers"?: string | number | null;
+  /**
    * Density of a printed mesh behind its walls relative to the material's: a percentage such as 15%, or a number.
    */
   infill?: string | number | null;

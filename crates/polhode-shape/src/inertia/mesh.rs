@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
+use polhode::body::mesh::PrintShell;
 use polhode_source::Failure;
 use polhode_source::files::Files;
 use polhode_source::given::{Given, Positive};
 
-use super::choice::PartSubstance;
+use super::choice::{MeshChoice, PartSubstance};
 use super::host::Host;
 use super::mesh_body::{MeshUse, MeshWords};
+use super::print::Print;
 use super::request::Request;
 use super::written::MeshFile;
 use crate::mesh::{MeshFormat, MeshLength};
@@ -32,7 +34,7 @@ pub(super) fn report(
         weld: length(&choice.weld),
         fill: length(&choice.fill),
         close_within: choice.close_within.as_ref().map(|share| share.value),
-        print: choice.print(),
+        print: print_of(choice),
         union: choice.union,
         check: true,
         substance: request.substance.given(),
@@ -50,4 +52,12 @@ pub(super) fn report(
     let target = choice.write_mesh.as_ref();
     let written = target.map(|target| MeshFile::of(&mut body, target)).transpose()?;
     Ok((body.into_report()?, written))
+}
+
+/// Returns the walls, layers and infill of a print.
+fn print_of(choice: &MeshChoice) -> Option<Print> {
+    let (walls, infill) = choice.walls.as_ref().zip(choice.infill.as_ref())?;
+    let [top, bottom] = [&choice.top_layers, &choice.bottom_layers]
+        .map(|layers| layers.as_ref().map_or(0.0, |layers| layers.value.0.0));
+    Some(Print { shell: PrintShell { walls: walls.value.0.0, top, bottom }, infill: infill.value })
 }

@@ -3,12 +3,10 @@
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use polhode::body::mesh::PrintShell;
 use polhode_source::expression::Expression;
 use polhode_source::given::{Given, Length, Number, Positive};
 use serde::{Deserialize, Serialize};
 
-use super::super::print::Print;
 use super::substance::PartSubstance;
 use crate::mesh::{Fraction, MeshLength, Share};
 
@@ -94,14 +92,6 @@ impl FromStr for DensityFormula {
 }
 
 impl MeshChoice {
-    /// Returns the walls, layers and infill of a print.
-    pub(in crate::inertia) fn print(&self) -> Option<Print> {
-        let (walls, infill) = self.walls.as_ref().zip(self.infill.as_ref())?;
-        let [top, bottom] = [&self.top_layers, &self.bottom_layers]
-            .map(|layers| layers.as_ref().map_or(0.0, |layers| layers.value.0.0));
-        Some(Print { shell: PrintShell { walls: walls.value.0.0, top, bottom }, infill: infill.value })
-    }
-
     /// Returns the name of the first option that is set.
     pub(in crate::inertia) fn given(&self) -> Option<&'static str> {
         let flags = [

@@ -306,7 +306,13 @@ impl Search {
             sums.0 = sums.0 + cell.moments();
         } else if is_inside && radius <= smallest {
             let facets: Vec<_> = relevant.iter().map(|(t, nearest)| (facet(*t), *nearest)).collect();
-            let (moments, bound) = cell.beyond(&facets, &layers, walls, rounding);
+            let mut limits = [Vec::new(), Vec::new()];
+            for roofs in &layers {
+                let (certain, possible) = roofs.limits(rounding);
+                limits[0].extend(certain);
+                limits[1].extend(possible);
+            }
+            let (moments, bound) = cell.beyond(&facets, limits, walls, rounding);
             *sums = (sums.0 + moments, sums.1 + bound);
         } else if goes_on() {
             let near: Vec<u32> = relevant.iter().map(|(t, _)| *t).collect();

@@ -4,7 +4,6 @@ use core::ops::Add;
 
 use super::Triangle;
 use super::moment_bound::MomentBound;
-use super::roof::Roofs;
 
 /// Volume and moments of a region about the origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -153,17 +152,18 @@ impl Cell {
     }
 
     /// Returns the moments of the part of the cell that is farther than `distance` from all of the
-    /// triangles, and below and above the solid layers, and their bounds.
+    /// triangles, and within other limits, and their bounds. The part within `certain` belongs to
+    /// the region, and all of the region is within `possible`.
     pub(super) fn beyond(
         &self,
         facets: &[(Facet, Nearest)],
-        layers: &[Roofs],
+        [certain, possible]: [Vec<Limit>; 2],
         distance: f64,
         rounding: f64,
     ) -> (Moments, MomentBound) {
         let radius = self.radius() + rounding;
         let least = (distance * distance - radius * radius).max(0.0).sqrt();
-        let (mut certain, mut possible) = (Vec::new(), Vec::new());
+        let (mut certain, mut possible) = (certain, possible);
         for (facet, nearest) in facets {
             let away = minus(self.center, nearest.point);
             let normal = away.map(|x| x / nearest.distance);
@@ -172,11 +172,6 @@ impl Cell {
             let outer = if is_beside { distance } else { least } - rounding - nearest.distance;
             certain.push(Limit { normal, beyond: inner });
             possible.push(Limit { normal, beyond: outer });
-        }
-        for roofs in layers {
-            let (below_all, below_some) = roofs.limits(rounding);
-            certain.extend(below_all);
-            possible.extend(below_some);
         }
         let [inner, outer] = [certain, possible].map(|mut limits| {
             limits.retain(|limit| limit.beyond > -self.support(limit.normal));

@@ -8,12 +8,12 @@ use std::sync::Arc;
 use std::thread;
 
 use super::Expansion;
+use super::acting::Acting;
 use super::base::ExpansionPoint;
 use super::recurrence::Recurrence;
 use super::row::smaller;
 use super::stepper::torque_rate;
 use super::sums::{OneBody, SeriesSums, SeveralBodies};
-use super::torque::{Decomposition, TorqueKind};
 use crate::math::frame::{Body, Principal};
 use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number;
@@ -22,20 +22,11 @@ use crate::motion::error::MotionError;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
-use crate::motion::model::wheel::{Motor, Wheel};
 use crate::motion::solve::limits::{MOST_STEPS, require_tolerance};
 use crate::motion::solve::propagate::bound::Bound;
 use crate::motion::solve::propagate::half_turn::Torsions;
 use crate::motion::solve::propagate::piece::Piece;
 use crate::motion::solve::start::{require_few_pulses, require_finite};
-
-/// Properties that bodies in one batch must share. They differ only in their numbers.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(in crate::motion) struct BatchKind {
-    torques: TorqueKind,
-    /// True with wheels or internal friction.
-    has_inside: bool,
-}
 
 /// Body with its torques and its start.
 #[derive(Clone, Debug)]
@@ -44,35 +35,6 @@ pub(in crate::motion) struct BatchBody<'a> {
     torques: &'a [TorqueModel],
     start: State,
     pub(in crate::motion) acting: Arc<Acting>,
-}
-
-/// Torques on equal bodies, decomposed once for all of them.
-#[derive(Debug)]
-pub(in crate::motion) struct Acting {
-    pub(super) decomposition: Decomposition,
-    kind: BatchKind,
-}
-
-/// Returns true if a motion can be computed in a batch: not with schedules, or torques without a
-/// series.
-fn has_series(rotor: &Rotor, torques: &[TorqueModel]) -> bool {
-    let has_series = |torque: &TorqueModel| torque.model().roughness().is_none() && !torque.is_timed();
-    let is_steady = |wheel: &Wheel| !matches!(wheel.motor(), Motor::Torque { schedule: Some(_), .. });
-    torques.iter().all(has_series) && rotor.wheels().iter().all(is_steady)
-}
-
-impl Acting {
-    /// Returns `None` for motions that must be computed one by one: see [`has_series`].
-    pub(in crate::motion) fn of(rotor: &Rotor, torques: &[TorqueModel]) -> Option<Arc<Self>> {
-        if !has_series(rotor, torques) {
-            return None;
-        }
-        let has_inside =
-            !rotor.wheels().is_empty() || torques.iter().any(|torque| torque.model().sink() != 0.0);
-        let decomposition = Decomposition::of(rotor, torques.iter(), !has_inside);
-        let kind = BatchKind { torques: decomposition.kind(), has_inside };
-        Some(Arc::new(Self { decomposition, kind }))
-    }
 }
 
 impl<'a> BatchBody<'a> {

@@ -9,6 +9,7 @@
 //! The same series is the dense output. With wheels of angular momentum h and with internal
 //! friction, L = I ω + h. The axes then rotate at Ω = ω + α L × ω, and I ω̇ = L × Ω + N − ḣ.
 
+mod acting;
 mod base;
 mod batch;
 mod body_resolved;
@@ -27,7 +28,8 @@ mod torque;
 mod unit_product;
 mod variations;
 
-pub(in crate::motion) use batch::{Acting, BatchBody, advance};
+pub(in crate::motion) use acting::Acting;
+pub(in crate::motion) use batch::{BatchBody, advance};
 pub(super) use stepper::Taylor;
 
 use body_resolved::BodyResolved;

@@ -12,8 +12,10 @@ use crate::motion::model::torque::{
     Attracted, ConstantTorque, Drag, DragLaw, EnergySink, FormulaTorque, GravityGradient, Magnetic,
     MagneticField, Thruster, Torsion, UniformGravity,
 };
+use crate::motion::model::wheel::{Motor, Wheel};
 use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::method::Method;
+use crate::motion::solve::propagate::taylor::acting::BatchKind;
 
 /// Body, torques and start of a test scenario; different for each number k.
 type Member = (Rotor, Vec<TorqueModel>, State);
